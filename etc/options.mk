@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What all our Make/options share. Use:
+#
+#   include $(INTERDEMFOAM_DIR)/etc/options.mk
+#   EXE_INC  = $(call foam,finiteVolume meshTools) $(call ours,granular)
+#   LIB_LIBS = $(OUR_LIBS) -lgranular
+#
+# foam  folders below OpenFOAM's src: their headers, as system headers so that
+#       warnings in them do not count
+# ours  folders below our src
+# MPI_INC MPI_LIBS GRAINS_INC GRAINS_LIBS   where MPI or LIGGGHTS is called
+#
+# Make/options goes through cpp, where `linux` is a macro: paths that may hold
+# it (MPI's) are asked for here. This file does not go through cpp.
+
+# Code is made for the machine that builds it. A fused multiply-add rounds once
+# where OpenFOAM's packaged libraries round twice; without contraction a run
+# without grains is interFoam's to the last bit.
+INTERDEMFOAM_ARCH ?= native
+c++OPT = -std=c++17 -O3 -march=$(INTERDEMFOAM_ARCH) -ffp-contract=off
+c++WARN = -Wall -Wextra -Wnon-virtual-dtor $(FOAM_EXTRA_CXXFLAGS)
+
+foam = $(foreach d,$(1),-isystem $(LIB_SRC)/$(d)/lnInclude)
+ours = $(foreach d,$(1),-I$(INTERDEMFOAM_DIR)/src/$(d)/lnInclude)
+OUR_LIBS = -L$(FOAM_USER_LIBBIN)
+
+PROJECT_INC = $(call foam,$(WM_PROJECT) OSspecific/$(WM_OSTYPE))
+
+MPI_INC := -DOMPI_SKIP_MPICXX \
+    $(patsubst -I%,-isystem %,$(shell mpicxx --showme:compile))
+MPI_LIBS := $(shell mpicxx --showme:link)
+GRAINS_INC = -isystem /usr/include/liggghts
+GRAINS_LIBS = -lliggghts
+
+# OpenFOAM's headers do not change: only ours are looked at for dependencies
+WMKDEP_FLAGS += -q
