@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The grains at one moment: where they come from, and the cloud that holds
+// them in a time folder.
+
+#include "grainSnapshot.H"
+
+#include "IOField.H"
+#include "OFstream.H"
+#include "Time.H"
+#include "functionObject.H"
+#include "granularPhase.H"
+#include "passiveParticleCloud.H"
+
+const Foam::word Foam::grainSnapshot::cloudName("grains");
+
+namespace
+{
+
+using namespace Foam;
+
+const string wallPrefix("wallForce.");
+
+
+fileName cloudFolder()
+{
+    return cloud::prefix/grainSnapshot::cloudName;
+}
+
+
+IOobject fieldIO
+(
+    const fvMesh& mesh,
+    const word& name,
+    const IOobject::readOption r
+)
+{
+    return IOobject
+    (
+        name,
+        mesh.time().timeName(),
+        cloudFolder(),
+        mesh,
+        r,
+        IOobject::NO_WRITE,
+        false
+    );
+}
+
+
+//- Write as controlDict says; true where nothing is missing on the disk.
+//  OpenFOAM's own write does not see a disk that fills with the last buffer,
+//  so the stream is kept here, but for collated files, which have no file of
+//  their own
+bool writeChecked(const regIOobject& io, const bool valid)
+{
+    if (fileHandler().type() != "uncollated")
+    {
+        return io.write(valid);
+    }
+
+    if (!valid)
+    {
+        return true;
+    }
+
+    const Time& time = io.time();
+    const fileName path(io.objectPath());
+
+    mkDir(path.path());
+
+    OFstream os
+    (
+        path,
+        time.writeFormat(),
+        IOstream::currentVersion,
+        time.writeCompression()
+    );
+
+    const bool ok = os.good() && io.writeHeader(os) && io.writeData(os);
+
+    IOobject::writeEndDivider(os);
+    os.flush();
+
+    return ok && os.stdStream().good();
+}
+
+
+template<class Type>
+bool writeField
+(
+    const fvMesh& mesh,
+    const word& name,
+    const Field<Type>& values
+)
+{
+    const IOField<Type> field(fieldIO(mesh, name, IOobject::NO_READ), values);
+
+    return writeChecked(field, values.size());
+}
+
+
+template<class Type>
+void readField
+(
+    const fvMesh& mesh,
+    const word& name,
+    Field<Type>& values
+)
+{
+    IOField<Type> field
+    (
+        fieldIO(mesh, name, IOobject::MUST_READ),
+        values.size() > 0
+    );
+
+    if (field.size() != values.size())
+    {
+        FatalErrorInFunction
+            << "Field " << field.objectPath() << " has " << field.size()
+            << " values for " << values.size() << " grains." << nl
+            << "    The cloud was not written completely: remove this time"
+            << " and take the one before it." << exit(FatalError);
+    }
+
+    values.transfer(field);
+}
+
+
+void readField(const fvMesh& mesh, const word& name, labelList& values)
+{
+    labelField field(values.size());
+    readField<label>(mesh, name, field);
+    values.transfer(field);
+}
+
+
+//- Names of walls, the same on all ranks: one that has no grain has no list
+wordList allNames(wordList names)
+{
+    List<wordList> all(Pstream::nProcs());
+    all[Pstream::myProcNo()] = names;
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+
+    wordHashSet united;
+    for (const wordList& some : all)
+    {
+        united.insert(some);
+    }
+
+    return united.sortedToc();
+}
+
+
+wordList wallsOnDisk(const fvMesh& mesh)
+{
+    DynamicList<word> walls;
+
+    const fileName folder
+    (
+        mesh.time().path()/mesh.time().timeName()
+       /mesh.dbDir()/cloudFolder()
+    );
+
+    for (const fileName& name : readDir(folder, fileName::FILE))
+    {
+        if (name.starts_with(wallPrefix))
+        {
+            walls.append(name.substr(wallPrefix.size()));
+        }
+    }
+
+    return walls;
+}
+
+
+//- Positions, as cells and weights (coordinates: OpenFOAM) and as points
+//  (positions: ParaView's reader)
+bool writePositions
+(
+    const fvMesh& mesh,
+    const vectorField& position,
+    const labelUList& cells
+)
+{
+    passiveParticleCloud grains
+    (
+        mesh,
+        grainSnapshot::cloudName,
+        IDLList<passiveParticle>()
+    );
+
+    forAll(position, i)
+    {
+        grains.append(new passiveParticle(mesh, position[i], cells[i]));
+    }
+
+    const bool valid = position.size();
+    bool ok = true;
+
+    for
+    (
+        const auto geometry
+      : {cloud::geometryType::COORDINATES, cloud::geometryType::POSITIONS}
+    )
+    {
+        const IOPosition<Cloud<passiveParticle>> io(grains, geometry);
+        ok = writeChecked(io, valid) && ok;
+    }
+
+    return ok;
+}
+
+
+void checkCells
+(
+    const fvMesh& mesh,
+    const grainSnapshot& grains,
+    const labelUList& cells
+)
+{
+    if (cells.size() != grains.size())
+    {
+        FatalErrorInFunction
+            << cells.size() << " cells for " << grains.size() << " grains: "
+            << "each grain needs the cell that holds it."
+            << exit(FatalError);
+    }
+
+    forAll(cells, i)
+    {
+        if (cells[i] < 0 || cells[i] >= mesh.nCells())
+        {
+            FatalErrorInFunction
+                << "Grain " << grains.id[i] << " at " << grains.position[i]
+                << " lies in no cell of this rank, so it cannot be written"
+                << " (cell " << cells[i] << " of " << mesh.nCells() << ")."
+                << exit(FatalError);
+        }
+    }
+}
+
+} // End anonymous namespace
+
+
+Foam::grainSnapshot::grainSnapshot(const label n)
+:
+    id(n, Zero),
+    type(n, Zero),
+    position(n, Zero),
+    U(n, Zero),
+    omega(n, Zero),
+    d(n, Zero),
+    mass(n, Zero),
+    force(n, Zero),
+    contactForce(n, Zero),
+    stressMoment(n, Zero)
+{}
+
+
+Foam::autoPtr<Foam::grainSnapshot> Foam::grainSnapshot::New(const fvMesh& mesh)
+{
+    const auto* running =
+        mesh.cfindObject<granularPhase>(granularPhase::typeName);
+
+    if (running && !functionObject::postProcess)
+    {
+        return running->snapshot();
+    }
+
+    return read(mesh);
+}
+
+
+Foam::autoPtr<Foam::grainSnapshot> Foam::grainSnapshot::read
+(
+    const fvMesh& mesh
+)
+{
+    // Reads the positions; a rank without grains has no file and stays empty
+    const passiveParticleCloud cloud(mesh, cloudName, false);
+
+    auto result = autoPtr<grainSnapshot>::New(cloud.size());
+    grainSnapshot& grains = *result;
+
+    label i = 0;
+    for (const passiveParticle& p : cloud)
+    {
+        grains.position[i++] = p.position();
+    }
+
+    if (!returnReduce(grains.size(), sumOp<label>()))
+    {
+        return result;
+    }
+
+    readField(mesh, "id", grains.id);
+    readField(mesh, "type", grains.type);
+    readField(mesh, "U", grains.U);
+    readField(mesh, "omega", grains.omega);
+    readField(mesh, "d", grains.d);
+    readField(mesh, "mass", grains.mass);
+    readField(mesh, "force", grains.force);
+    readField(mesh, "contactForce", grains.contactForce);
+    readField(mesh, "stressMoment", grains.stressMoment);
+
+    for (const word& wall : allNames(wallsOnDisk(mesh)))
+    {
+        vectorField& values = grains.wallForce(wall);
+        values.setSize(grains.size(), Zero);
+        readField(mesh, wallPrefix + wall, values);
+    }
+
+    return result;
+}
+
+
+bool Foam::grainSnapshot::write
+(
+    const fvMesh& mesh,
+    const labelUList& cells
+) const
+{
+    checkCells(mesh, *this, cells);
+
+    bool ok = writePositions(mesh, position, cells);
+
+    ok = writeField(mesh, "id", labelField(id)) && ok;
+    ok = writeField(mesh, "type", labelField(type)) && ok;
+    ok = writeField(mesh, "U", U) && ok;
+    ok = writeField(mesh, "omega", omega) && ok;
+    ok = writeField(mesh, "d", d) && ok;
+    ok = writeField(mesh, "mass", mass) && ok;
+    ok = writeField(mesh, "force", force) && ok;
+    ok = writeField(mesh, "contactForce", contactForce) && ok;
+    ok = writeField(mesh, "stressMoment", stressMoment) && ok;
+
+    for (const word& wall : allNames(wallForce.toc()))
+    {
+        const vectorField values
+        (
+            wallForce.lookup(wall, vectorField(size(), Zero))
+        );
+        ok = writeField(mesh, wallPrefix + wall, values) && ok;
+    }
+
+    return returnReduce(ok, andOp<bool>());
+}
