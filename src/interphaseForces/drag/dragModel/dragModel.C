@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Base of the drag laws, chosen by name.
+
+#include "dragModel.H"
+#include "blendedDrag.H"
+#include "closure.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(dragModel, 0);
+    defineRunTimeSelectionTable(dragModel, dictionary);
+}
+
+
+Foam::autoPtr<Foam::dragModel> Foam::dragModel::New(const dictionary& dict)
+{
+    autoPtr<dragModel> model(closure::select<dragModel>(dict, "model", dict));
+    const scalar strength = closure::strength(dict);
+
+    if (strength == 1 && !dict.found("base"))
+    {
+        return model;
+    }
+
+    autoPtr<dragModel> base
+    (
+        closure::select<dragModel>
+        (
+            dict, "base", dict.subOrEmptyDict("baseSettings")
+        )
+    );
+
+    if (strength == 1)
+    {
+        return model;
+    }
+    if (strength == 0)
+    {
+        return base;
+    }
+    return autoPtr<dragModel>
+    (
+        new blendedDrag(strength, std::move(base), std::move(model))
+    );
+}

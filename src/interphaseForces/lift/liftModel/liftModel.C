@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Base of the lift laws, chosen by name.
+
+#include "liftModel.H"
+#include "closure.H"
+#include "noLift.H"
+#include "scaledLift.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(liftModel, 0);
+    defineRunTimeSelectionTable(liftModel, dictionary);
+}
+
+
+Foam::autoPtr<Foam::liftModel>
+Foam::liftModel::New(const dictionary& dict)
+{
+    return closure::selectScaled<liftModel, scaledLift, noLift>(dict);
+}

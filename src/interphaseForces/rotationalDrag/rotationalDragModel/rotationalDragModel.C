@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Base of the rotational drag laws, chosen by name.
+
+#include "rotationalDragModel.H"
+#include "closure.H"
+#include "noRotationalDrag.H"
+#include "scaledRotationalDrag.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(rotationalDragModel, 0);
+    defineRunTimeSelectionTable(rotationalDragModel, dictionary);
+}
+
+
+Foam::autoPtr<Foam::rotationalDragModel>
+Foam::rotationalDragModel::New(const dictionary& dict)
+{
+    return closure::selectScaled<rotationalDragModel, scaledRotationalDrag, noRotationalDrag>(dict);
+}

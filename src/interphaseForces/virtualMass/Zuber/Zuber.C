@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Virtual mass that grows with the solid fraction, of Zuber (1964).
+
+#include "Zuber.H"
+#include "addToRunTimeSelectionTable.H"
+#include "closure.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(Zuber, 0);
+    addToRunTimeSelectionTable(virtualMassModel, Zuber, dictionary);
+}
+
+
+Foam::Zuber::Zuber(const dictionary& dict)
+{
+    closure::checkKeywords(dict);
+}
+
+
+Foam::scalar Foam::Zuber::coefficient(const grainState& state) const
+{
+    const scalar e = state.voidFraction;
+
+    return 0.5*(3 - 2*e)/e;
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Base of the virtual mass laws, chosen by name.
+
+#include "virtualMassModel.H"
+#include "closure.H"
+#include "noVirtualMass.H"
+#include "scaledVirtualMass.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(virtualMassModel, 0);
+    defineRunTimeSelectionTable(virtualMassModel, dictionary);
+}
+
+
+Foam::autoPtr<Foam::virtualMassModel>
+Foam::virtualMassModel::New(const dictionary& dict)
+{
+    return closure::selectScaled<virtualMassModel, scaledVirtualMass, noVirtualMass>(dict);
+}
