@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A LIGGGHTS fix that adds the fluid's force and torque in each DEM step.
+
+#include "fixFluidForce.H"
+
+#include <map>
+#include <string>
+
+#include <liggghts/atom.h>
+#include <liggghts/lammps.h>
+#include <liggghts/modify.h>
+
+const char* const Foam::fixFluidForce::styleName = "interDEMFoam/fluidForce";
+
+
+namespace
+{
+    using fixCreator = LAMMPS_NS::Fix* (*)(LAMMPS_NS::LAMMPS*, int, char**);
+    using fixMap = std::map<std::string, fixCreator>*;
+
+    fixMap& stylesOf(LAMMPS_NS::Modify& modify);
+
+    //- The table of styles is private in LIGGGHTS 3.8, which offers no other
+    //  way to a fix of one's own. Naming a private member in an explicit
+    //  instantiation is allowed by the standard
+    template<fixMap LAMMPS_NS::Modify::*styles>
+    struct privateStyles
+    {
+        friend fixMap& stylesOf(LAMMPS_NS::Modify& modify)
+        {
+            return modify.*styles;
+        }
+    };
+
+    template struct privateStyles<&LAMMPS_NS::Modify::fix_map>;
+
+
+    LAMMPS_NS::Fix* newFixFluidForce
+    (
+        LAMMPS_NS::LAMMPS* lmp,
+        int narg,
+        char** arg
+    )
+    {
+        return new Foam::fixFluidForce(lmp, narg, arg);
+    }
+}
+
+
+void Foam::fixFluidForce::addStyle(LAMMPS_NS::LAMMPS* lmp)
+{
+    (*stylesOf(*lmp->modify))[styleName] = newFixFluidForce;
+}
+
+
+Foam::fixFluidForce::fixFluidForce
+(
+    LAMMPS_NS::LAMMPS* lmp,
+    int narg,
+    char** arg
+)
+:
+    LAMMPS_NS::Fix(lmp, narg, arg),
+    force_(nullptr),
+    torque_(nullptr)
+{}
+
+
+LAMMPS_NS::FixPropertyAtom* Foam::fixFluidForce::addVectorProperty
+(
+    const char* name
+)
+{
+    // id, group, style, variable, shape, in restarts, to ghosts, from ghosts,
+    // three initial values
+    const char* args[] =
+    {
+        name, "all", "property/atom", name, "vector", "yes", "no", "no",
+        "0.", "0.", "0."
+    };
+
+    return modify->add_fix_property_atom(11, const_cast<char**>(args), style);
+}
+
+
+void Foam::fixFluidForce::post_create()
+{
+    force_ = addVectorProperty("fluidForce");
+    torque_ = addVectorProperty("fluidTorque");
+}
+
+
+int Foam::fixFluidForce::setmask()
+{
+    return LAMMPS_NS::FixConst::POST_FORCE;
+}
+
+
+void Foam::fixFluidForce::setup(int vflag)
+{
+    post_force(vflag);
+}
+
+
+void Foam::fixFluidForce::post_force(int)
+{
+    double** f = atom->f;
+    double** t = atom->torque;
+    double** fluidForce = force();
+    double** fluidTorque = torque();
+
+    for (int i = 0; i < atom->nlocal; ++i)
+    {
+        for (int k = 0; k < 3; ++k)
+        {
+            f[i][k] += fluidForce[i][k];
+            t[i][k] += fluidTorque[i][k];
+        }
+    }
+}

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is checked of the LIGGGHTS scripts before a run.
+
+#include "liggghtsChecks.H"
+
+#include "liggghtsInstance.H"
+#include "mathematicalConstants.H"
+#include "periodicity.H"
+
+#include <cstring>
+
+#include <liggghts/atom.h>
+#include <liggghts/domain.h>
+#include <liggghts/fix.h>
+#include <liggghts/lammps.h>
+#include <liggghts/modify.h>
+#include <liggghts/update.h>
+
+void Foam::liggghtsChecks::units
+(
+    liggghtsInstance& liggghts,
+    const fileName& script
+)
+{
+    if (std::strcmp(liggghts->update->unit_style, "si"))
+    {
+        FatalErrorInFunction
+            << "The unit system in " << script << " is "
+            << liggghts->update->unit_style << nl
+            << "    OpenFOAM computes in SI units. Begin the script with"
+            << " 'units si' and give metres, kilograms and seconds."
+            << exit(FatalError);
+    }
+}
+
+
+void Foam::liggghtsChecks::boundary
+(
+    liggghtsInstance& liggghts,
+    const string& boundary,
+    const fileName& script
+)
+{
+    const LAMMPS_NS::Domain& domain = *liggghts->domain;
+    const bool periodic[] =
+        {bool(domain.xperiodic), bool(domain.yperiodic), bool(domain.zperiodic)};
+
+    for (label k = 0; k < 3; ++k)
+    {
+        if (periodic[k] != (boundary[2*k] == 'p'))
+        {
+            FatalErrorInFunction
+                << "The grains are " << (periodic[k] ? "" : "not ")
+                << "periodic along " << "xyz"[k] << ", the mesh is "
+                << (periodic[k] ? "not" : "") << nl
+                << "    The boundary of the grains comes from the patches of"
+                << " the mesh (here: " << boundary << "). Take the command"
+                << " 'boundary' out of " << script << exit(FatalError);
+        }
+    }
+
+    if (!domain.box_exist)
+    {
+        FatalErrorInFunction
+            << "No box for the grains after " << script << nl
+            << "    Give one with 'region' and 'create_box'."
+            << exit(FatalError);
+    }
+}
+
+
+void Foam::liggghtsChecks::domain
+(
+    liggghtsInstance& liggghts,
+    const fvMesh& mesh,
+    const fileName& script
+)
+{
+    const LAMMPS_NS::Domain& domain = *liggghts->domain;
+    const boundBox grains
+    (
+        point(domain.boxlo[0], domain.boxlo[1], domain.boxlo[2]),
+        point(domain.boxhi[0], domain.boxhi[1], domain.boxhi[2])
+    );
+    const boundBox& cells = mesh.bounds();
+
+    if (!grains.overlaps(cells))
+    {
+        FatalErrorInFunction
+            << "The box of the grains " << grains << " in " << script
+            << " and the mesh " << cells << " do not overlap." << nl
+            << "    Give both in metres, in the same coordinates."
+            << exit(FatalError);
+    }
+
+    const Vector<bool> along(periodicity(mesh).along());
+    const scalar tolerance = 1e-6*cells.mag();
+
+    for (direction k = 0; k < 3; ++k)
+    {
+        const scalar gap =
+            max
+            (
+                mag(grains.min()[k] - cells.min()[k]),
+                mag(grains.max()[k] - cells.max()[k])
+            );
+
+        if (along[k] && gap > tolerance)
+        {
+            FatalErrorInFunction
+                << "The mesh repeats itself along " << "xyz"[k] << " from "
+                << cells.min()[k] << " to " << cells.max()[k]
+                << " m, the box of the grains in " << script << " from "
+                << grains.min()[k] << " to " << grains.max()[k] << " m." << nl
+                << "    Give the box the same ends." << exit(FatalError);
+        }
+    }
+}
+
+
+void Foam::liggghtsChecks::noOwnFixes
+(
+    liggghtsInstance& liggghts,
+    const fileName& script
+)
+{
+    const LAMMPS_NS::Modify& modify = *liggghts->modify;
+
+    for (label i = 0; i < modify.nfix; ++i)
+    {
+        if (!std::strcmp(modify.fix[i]->style, "gravity"))
+        {
+            FatalErrorInFunction
+                << script << " sets gravity (fix " << modify.fix[i]->id << ")."
+                << nl << "    Grains and water take it from constant/g: take"
+                << " the fix out." << exit(FatalError);
+        }
+    }
+}
+
+
+Foam::scalar Foam::liggghtsChecks::rayleighTime
+(
+    const scalar radius,
+    const scalar density,
+    const scalar youngsModulus,
+    const scalar poissonsRatio
+)
+{
+    const scalar shearModulus = youngsModulus/(2*(1 + poissonsRatio));
+
+    return
+        constant::mathematical::pi*radius*sqrt(density/shearModulus)
+       /(0.1631*poissonsRatio + 0.8766);
+}
+
+
+void Foam::liggghtsChecks::timeStep
+(
+    liggghtsInstance& liggghts,
+    const fileName& script
+)
+{
+    const LAMMPS_NS::Update& update = *liggghts->update;
+
+    if (!update.timestep_set)
+    {
+        FatalErrorInFunction
+            << "No DEM step in " << script << nl
+            << "    Give one with the command 'timestep', below 20 % of the"
+            << " Rayleigh time." << exit(FatalError);
+    }
+
+    LAMMPS_NS::Atom& atom = *liggghts->atom;
+    LAMMPS_NS::Modify& modify = *liggghts->modify;
+    const int nTypes = atom.ntypes;
+
+    LAMMPS_NS::Fix* young = modify.find_fix_property
+    (
+        "youngsModulus", "property/global", "peratomtype", nTypes, 0,
+        "interDEMFoam", false
+    );
+    LAMMPS_NS::Fix* poisson = modify.find_fix_property
+    (
+        "poissonsRatio", "property/global", "peratomtype", nTypes, 0,
+        "interDEMFoam", false
+    );
+
+    if (!young || !poisson)
+    {
+        return;
+    }
+
+    scalar shortest = GREAT;
+    for (label i = 0; i < atom.nlocal; ++i)
+    {
+        const label type = atom.type[i] - 1;
+
+        shortest = min
+        (
+            shortest,
+            rayleighTime
+            (
+                atom.radius[i],
+                atom.density[i],
+                young->compute_vector(type),
+                poisson->compute_vector(type)
+            )
+        );
+    }
+    reduce(shortest, minOp<scalar>());
+
+    const scalar fraction = update.dt/shortest;
+
+    if (fraction > 1)
+    {
+        FatalErrorInFunction
+            << "The DEM step of " << update.dt << " s in " << script << " is "
+            << fraction << " times the Rayleigh time of " << shortest
+            << " s: contacts would be stepped over." << nl
+            << "    Set timestep to at most " << 0.2*shortest
+            << " s, or lower Young's modulus." << exit(FatalError);
+    }
+
+    Info<< "    DEM step " << update.dt << " s = " << 100*fraction
+        << " % of the Rayleigh time" << endl;
+
+    if (fraction > 0.3)
+    {
+        WarningInFunction
+            << "The DEM step is " << 100*fraction << " % of the Rayleigh time;"
+            << " at most 20 to 30 % is advised." << endl;
+    }
+}

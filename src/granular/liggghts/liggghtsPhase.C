@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Grains computed by LIGGGHTS in this program: making them and moving them.
+
+#include "liggghtsPhase.H"
+
+#include "IFstream.H"
+#include "Time.H"
+#include "addToRunTimeSelectionTable.H"
+#include "fixFluidForce.H"
+#include "liggghtsChecks.H"
+
+#include <sstream>
+
+#include <liggghts/atom.h>
+#include <liggghts/fix.h>
+#include <liggghts/lammps.h>
+#include <liggghts/modify.h>
+#include <liggghts/update.h>
+
+namespace Foam
+{
+    defineTypeName(liggghtsPhase);
+    addToRunTimeSelectionTable(granularPhase, liggghtsPhase, dictionary);
+}
+
+const Foam::fileName Foam::liggghtsPhase::stateFolder("uniform/granular");
+
+
+namespace
+{
+    //- A view on n vectors of LIGGGHTS, which keeps them in one piece
+    Foam::UList<Foam::vector> vectors(double** array, const Foam::label n)
+    {
+        return Foam::UList<Foam::vector>
+        (
+            n ? reinterpret_cast<Foam::vector*>(array[0]) : nullptr,
+            n
+        );
+    }
+}
+
+
+Foam::liggghtsPhase::liggghtsPhase
+(
+    const fvMesh& mesh,
+    const dictionary& dict,
+    const vector& g
+)
+:
+    granularPhase(mesh, dict),
+    dict_(dict.subDict(typeName)),
+    g_(g),
+    initialScript_(script(mesh, dict_, "initial")),
+    physicsScript_(script(mesh, dict_, "physics")),
+    outflow_(dict_.lookupOrDefault<wordRes>("outflow", wordRes())),
+    liggghts_(mesh.time().globalPath()/"log.liggghts"),
+    walls_(mesh, dict_.subOrEmptyDict("walls"), physicsScript_),
+    fluid_(nullptr),
+    nGrains_(0),
+    nInserted_(0),
+    nEntered_(0),
+    nLeft_(0)
+{
+    Info<< "Grains: LIGGGHTS" << endl;
+
+    createGrains();
+    liggghtsChecks::units(liggghts_, initialScript_);
+    liggghtsChecks::domain(liggghts_, mesh, initialScript_);
+
+    liggghts_.script(physicsScript_, mesh.time().globalPath());
+    addOwnFixes();
+    liggghtsChecks::timeStep(liggghts_, physicsScript_);
+
+    liggghts_.setup();
+    refresh();
+
+    nGrains_ = nTotal();
+    nInserted_ = nInserted();
+
+    Info<< "    " << nGrains_ << " grains, step " << timeStep()
+        << " s, exchange every " << stepsPerExchange() << " steps = "
+        << exchangeInterval() << " s" << nl << endl;
+}
+
+
+Foam::fileName Foam::liggghtsPhase::script
+(
+    const fvMesh& mesh,
+    const dictionary& dict,
+    const word& key
+)
+{
+    fileName path
+    (
+        dict.lookupOrDefault<fileName>(key, "constant/grains." + key)
+    );
+    path.expand();
+
+    if (!path.isAbsolute())
+    {
+        path = mesh.time().globalPath()/path;
+    }
+
+    if (!isFile(path))
+    {
+        FatalIOErrorInFunction(dict)
+            << "No LIGGGHTS script " << path << nl
+            << "    Write it, or name another with the keyword " << key
+            << " in this dictionary." << exit(FatalIOError);
+    }
+
+    return path;
+}
+
+
+Foam::labelVector Foam::liggghtsPhase::cuts() const
+{
+    labelVector n(Zero);
+
+    if (!Pstream::parRun())
+    {
+        return labelVector(1, 1, 1);
+    }
+
+    const fileName path
+    (
+        mesh_.time().globalPath()/mesh_.time().system()/"decomposeParDict"
+    );
+
+    if (isFile(path))
+    {
+        const dictionary dict{IFstream(path)()};
+        const word method(dict.lookupOrDefault<word>("method", "none"));
+        const dictionary& coeffs = dict.optionalSubDict
+        (
+            dict.found(method + "Coeffs") ? method + "Coeffs" : word("coeffs")
+        );
+
+        if (coeffs.found("n"))
+        {
+            const Vector<label> cut(coeffs.lookup("n"));
+
+            if (cut.x()*cut.y()*cut.z() == Pstream::nProcs())
+            {
+                n = labelVector(cut.x(), cut.y(), cut.z());
+            }
+        }
+    }
+
+    return n;
+}
+
+
+void Foam::liggghtsPhase::createGrains()
+{
+    fixFluidForce::addStyle(&*liggghts_);
+
+    const string boundary(liggghtsWalls::boundary(mesh_));
+    liggghts_.command("boundary " + boundary);
+
+    const labelVector cut(cuts());
+    if (cut.x())
+    {
+        std::ostringstream os;
+        os << "processors " << cut.x() << ' ' << cut.y() << ' ' << cut.z();
+        liggghts_.command(os.str());
+    }
+
+    const fileName state
+    (
+        mesh_.time().globalPath()
+       /(Pstream::parRun() ? "processor0" : "")
+       /mesh_.time().timeName()/stateFolder/"state"
+    );
+
+    if (isFile(state))
+    {
+        Info<< "    from " << state << endl;
+        liggghts_.command("read_restart " + state);
+    }
+    else
+    {
+        if (mesh_.time().timeIndex() > 0 && mesh_.time().value() > SMALL)
+        {
+            WarningInFunction
+                << "No state of the grains in time "
+                << mesh_.time().timeName() << ": they start from "
+                << initialScript_ << endl;
+        }
+        liggghts_.script(initialScript_, mesh_.time().globalPath());
+    }
+
+    liggghtsChecks::boundary(liggghts_, boundary, initialScript_);
+}
+
+
+void Foam::liggghtsPhase::addOwnFixes()
+{
+    liggghtsChecks::noOwnFixes(liggghts_, physicsScript_);
+
+    if (mag(g_) > SMALL)
+    {
+        std::ostringstream os;
+        os.precision(17);
+        os  << "fix interDEMFoamGravity all gravity " << mag(g_) << " vector "
+            << g_.x()/mag(g_) << ' ' << g_.y()/mag(g_) << ' ' << g_.z()/mag(g_);
+        liggghts_.command(os.str());
+    }
+
+    walls_.add(liggghts_);
+
+    // Evaluated only where a snapshot asks for it
+    liggghts_.command
+    (
+        "compute interDEMFoamContacts all pair/gran/local pos id force"
+    );
+
+    liggghts_.command
+    (
+        "fix interDEMFoamFluid all " + string(fixFluidForce::styleName)
+    );
+
+    LAMMPS_NS::Modify& modify = *liggghts_->modify;
+    fluid_ = dynamic_cast<fixFluidForce*>
+    (
+        modify.fix[modify.find_fix("interDEMFoamFluid")]
+    );
+}
+
+
+void Foam::liggghtsPhase::refresh()
+{
+    LAMMPS_NS::Atom& atom = *liggghts_->atom;
+    const label n = atom.nlocal;
+
+    position_.shallowCopy(vectors(atom.x, n));
+    velocity_.shallowCopy(vectors(atom.v, n));
+    angularVelocity_.shallowCopy(vectors(atom.omega, n));
+    totalForce_.shallowCopy(vectors(atom.f, n));
+    fluidForce_.shallowCopy(vectors(fluid_->force(), n));
+    fluidTorque_.shallowCopy(vectors(fluid_->torque(), n));
+    radius_.shallowCopy(UList<scalar>(atom.radius, n));
+    mass_.shallowCopy(UList<scalar>(atom.rmass, n));
+    id_.shallowCopy(UList<label>(atom.tag, n));
+    type_.shallowCopy(UList<label>(atom.type, n));
+}
+
+
+Foam::label Foam::liggghtsPhase::nInserted() const
+{
+    const LAMMPS_NS::Modify& modify = *liggghts_->modify;
+    scalar n = 0;
+
+    for (label i = 0; i < modify.nfix; ++i)
+    {
+        LAMMPS_NS::Fix& fix = *modify.fix[i];
+
+        if (string(fix.style).substr(0, 7) == "insert/")
+        {
+            n += fix.compute_vector(0);
+        }
+    }
+
+    return label(n + 0.5);
+}
+
+
+void Foam::liggghtsPhase::countGrains()
+{
+    const label inserted = nInserted();
+    const label now = nTotal();
+    const label gone = nGrains_ + inserted - nInserted_ - now;
+
+    if (gone > 0 && outflow_.empty())
+    {
+        FatalErrorInFunction
+            << gone << " of " << nGrains_ << " grains left the box of LIGGGHTS"
+            << " by time " << mesh_.time().timeName() << nl
+            << "    Either they passed a wall (make the DEM step shorter or"
+            << " the grains stiffer), or name the patches through which they"
+            << " may leave in LIGGGHTS/outflow of"
+            << " constant/granularProperties." << exit(FatalError);
+    }
+
+    nEntered_ += inserted - nInserted_;
+    nLeft_ += gone;
+    nInserted_ = inserted;
+    nGrains_ = now;
+}
+
+
+bool Foam::liggghtsPhase::mayLeave(const point& p) const
+{
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (outflow_.match(patch.name()) && patch.size())
+        {
+            const vector area(sum(patch.faceAreas()));
+            const point centre(average(patch.faceCentres()));
+
+            if (((p - centre) & area) > 0)
+            {
+                return true;
+            }
+        }
+    }
+
+    return false;
+}
+
+
+Foam::scalar Foam::liggghtsPhase::timeStep() const
+{
+    return liggghts_->update->dt;
+}
+
+
+void Foam::liggghtsPhase::setFluidForce
+(
+    const UList<vector>& force,
+    const UList<vector>& torque
+)
+{
+    UList<vector> total(totalForce_);
+    UList<vector> totalTorque(vectors(liggghts_->atom->torque, size()));
+
+    // The first half of the next step uses the force of the last one: change
+    // that too, so that the impulse is force times interval exactly
+    forAll(force, i)
+    {
+        total[i] += force[i] - fluidForce_[i];
+        totalTorque[i] += torque[i] - fluidTorque_[i];
+        fluidForce_[i] = force[i];
+        fluidTorque_[i] = torque[i];
+    }
+}
+
+
+void Foam::liggghtsPhase::advance()
+{
+    liggghts_.run(stepsPerExchange());
+
+    refresh();
+    countGrains();
+}

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Grains computed by LIGGGHTS: what is looked at and written.
+
+#include "liggghtsPhase.H"
+
+#include "Map.H"
+#include "OSspecific.H"
+#include "grainSnapshot.H"
+#include "fpeGuard.H"
+#include "periodicity.H"
+
+#include <fstream>
+
+#include <liggghts/atom.h>
+#include <liggghts/atom_vec.h>
+#include <liggghts/fix.h>
+#include <liggghts/lammps.h>
+#include <liggghts/library.h>
+#include <liggghts/modify.h>
+#include <liggghts/compute.h>
+
+namespace
+{
+    //- Name of our list of contacts in LIGGGHTS
+    const char* const contactList = "interDEMFoamContacts";
+
+    //- Its columns: positions of both, ids of both, periodic, force on first
+    enum { FIRST = 0, SECOND = 3, FIRST_ID = 6, SECOND_ID = 7, FORCE = 9 };
+
+    //- True where a restart file ends with n numbers and their count, as
+    //  LIGGGHTS writes them: it does not look whether the disk took them
+    bool endsWith(const std::string& path, const int n)
+    {
+        std::ifstream is(path, std::ios::binary | std::ios::ate);
+        const std::streamoff tail = n*sizeof(double) + sizeof(int);
+
+        if (!is || is.tellg() < tail)
+        {
+            return false;
+        }
+
+        int count = -1;
+        is.seekg(-tail, std::ios::end);
+        is.read(reinterpret_cast<char*>(&count), sizeof(int));
+
+        return is && count == n;
+    }
+}
+
+
+void Foam::liggghtsPhase::addContacts(grainSnapshot& grains) const
+{
+    LAMMPS_NS::LAMMPS* lmp = &*liggghts_;
+    const int at = lmp->modify->find_compute(contactList);
+
+    if (at < 0)
+    {
+        return;
+    }
+
+    const fpeGuard guard;
+
+    double** rows = static_cast<double**>
+    (
+        lammps_extract_compute(lmp, contactList, 2, 2)
+    );
+    const label n = lmp->modify->compute[at]->size_local_rows;
+
+    Map<label> mine(2*size());
+    forAll(id_, i)
+    {
+        mine.insert(id_[i], i);
+    }
+
+    const periodicity images(mesh_);
+
+    for (label row = 0; row < n; ++row)
+    {
+        const double* c = rows[row];
+        const vector force(c[FORCE], c[FORCE + 1], c[FORCE + 2]);
+        const vector branch
+        (
+            images.shortest
+            (
+                vector
+                (
+                    c[FIRST] - c[SECOND],
+                    c[FIRST + 1] - c[SECOND + 1],
+                    c[FIRST + 2] - c[SECOND + 2]
+                )
+            )
+        );
+
+        // Grains that push each other apart give pressure, negative
+        const symmTensor moment(-symm(branch*force));
+
+        const auto first = mine.cfind(label(c[FIRST_ID]));
+        const auto second = mine.cfind(label(c[SECOND_ID]));
+
+        // A contact stands once in all lists: where one grain is another
+        // rank's, all of it counts here
+        const scalar share = first.found() && second.found() ? 0.5 : 1;
+
+        if (first.found())
+        {
+            grains.stressMoment[*first] += share*moment;
+        }
+        if (second.found())
+        {
+            grains.stressMoment[*second] += share*moment;
+        }
+    }
+}
+
+
+Foam::autoPtr<Foam::grainSnapshot> Foam::liggghtsPhase::snapshot() const
+{
+    auto result = autoPtr<grainSnapshot>::New(size());
+    grainSnapshot& grains = *result;
+
+    grains.id = id_;
+    grains.type = type_;
+    grains.position = position_;
+    grains.U = velocity_;
+    grains.omega = angularVelocity_;
+    grains.mass = mass_;
+    grains.force = fluidForce_;
+
+    forAll(radius_, i)
+    {
+        grains.d[i] = 2*radius_[i];
+        grains.contactForce[i] =
+            totalForce_[i] - fluidForce_[i] - mass_[i]*g_;
+    }
+
+    forAllConstIters(walls_.fixes(), wall)
+    {
+        LAMMPS_NS::Modify& modify = *liggghts_->modify;
+        const int at = modify.find_fix(("force_" + wall.val()).c_str());
+
+        vectorField force(size());
+
+        forAll(force, i)
+        {
+            const double* f = modify.fix[at]->array_atom[i];
+            force[i] = vector(f[0], f[1], f[2]);
+        }
+
+        grains.wallForce.insert(wall.key(), force);
+    }
+
+    addContacts(grains);
+
+    return result;
+}
+
+
+bool Foam::liggghtsPhase::writeState(const fileName& folder)
+{
+    const fileName aside(folder/"state.incomplete");
+
+    liggghts_.command("write_restart " + aside);
+
+    // The last rank's grains come last in the file
+    labelList sizes(Pstream::nProcs());
+    sizes[Pstream::myProcNo()] = liggghts_->atom->avec->size_restart();
+    Pstream::gatherList(sizes);
+
+    bool complete = true;
+    if (Pstream::master())
+    {
+        complete = endsWith(aside, sizes.last()) && mv(aside, folder/"state");
+    }
+    Pstream::scatter(complete);
+
+    // Writing moves grains between ranks without making neighbour lists
+    liggghts_.setup();
+    refresh();
+
+    return complete;
+}

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Boundaries and walls for the grains, made from the patches of the mesh.
+
+#include "liggghtsWalls.H"
+
+#include "ListListOps.H"
+#include "OFstream.H"
+#include "OSspecific.H"
+#include "Time.H"
+#include "liggghtsInstance.H"
+#include "periodicity.H"
+#include "wallPolyPatch.H"
+
+#include <fstream>
+#include <regex>
+
+Foam::liggghtsWalls::liggghtsWalls
+(
+    const fvMesh& mesh,
+    const dictionary& dict,
+    const fileName& script
+)
+:
+    mesh_(mesh),
+    patches_
+    (
+        dict.lookupOrDefault<wordRes>
+        (
+            "patches",
+            wordRes({wordRe(".*", wordRe::REGEX)})
+        )
+    ),
+    type_(dict.lookupOrDefault<label>("type", 1)),
+    contactModel_
+    (
+        dict.found("contactModel")
+      ? dict.get<string>("contactModel")
+      : contactModel(script)
+    )
+{}
+
+
+Foam::string Foam::liggghtsWalls::contactModel(const fileName& script)
+{
+    // A line ending in & goes on in the next
+    std::ifstream is(script);
+    std::string text
+    (
+        (std::istreambuf_iterator<char>(is)),
+        std::istreambuf_iterator<char>()
+    );
+    text = std::regex_replace(text, std::regex("&[ \t]*\n"), " ");
+
+    const std::regex pairStyle("(^|\n)[ \t]*pair_style[ \t]+gran[ \t]+([^#\n]*)");
+    std::smatch found;
+
+    if (!std::regex_search(text, found, pairStyle))
+    {
+        FatalErrorInFunction
+            << "No line 'pair_style gran ...' in " << script << nl
+            << "    The walls take the contact model from it. Give one, or"
+            << " LIGGGHTS/walls/contactModel in constant/granularProperties."
+            << exit(FatalError);
+    }
+
+    return found.str(2);
+}
+
+
+Foam::string Foam::liggghtsWalls::boundary(const fvMesh& mesh)
+{
+    const Vector<bool> along(periodicity(mesh).along());
+
+    string result;
+    for (direction k = 0; k < 3; ++k)
+    {
+        result += along[k] ? "p " : "f ";
+    }
+
+    return result;
+}
+
+
+Foam::label Foam::liggghtsWalls::side(const polyPatch& patch) const
+{
+    const boundBox& box = mesh_.bounds();
+    const scalar tolerance = 1e-6*box.mag();
+    const pointField points(patch.localPoints());
+
+    for (label i = 0; i < 6; ++i)
+    {
+        const direction k = i/2;
+        const scalar plane = i % 2 ? box.max()[k] : box.min()[k];
+
+        bool on = true;
+        for (const point& p : points)
+        {
+            on = on && mag(p[k] - plane) < tolerance;
+        }
+
+        if (returnReduce(on, andOp<bool>()))
+        {
+            return i;
+        }
+    }
+
+    return -1;
+}
+
+
+Foam::fileName Foam::liggghtsWalls::writeSurface(const polyPatch& patch) const
+{
+    List<pointField> triangles(Pstream::nProcs());
+    DynamicList<point> mine;
+
+    for (const face& f : patch.localFaces())
+    {
+        for (label i = 1; i + 1 < f.size(); ++i)
+        {
+            mine.append(patch.localPoints()[f[0]]);
+            mine.append(patch.localPoints()[f[i]]);
+            mine.append(patch.localPoints()[f[i + 1]]);
+        }
+    }
+
+    triangles[Pstream::myProcNo()] = mine;
+    Pstream::gatherList(triangles);
+
+    const fileName path
+    (
+        mesh_.time().globalPath()/"constant"/"grainWalls"/(patch.name() + ".stl")
+    );
+
+    if (Pstream::master())
+    {
+        const pointField all
+        (
+            ListListOps::combine<pointField>(triangles, accessOp<pointField>())
+        );
+
+        mkDir(path.path());
+        std::ofstream os(path);
+        os.precision(12);
+        os << "solid " << patch.name() << '\n';
+
+        for (label i = 0; i + 2 < all.size(); i += 3)
+        {
+            os << "facet normal 0 0 0\nouter loop\n";
+            for (label k = i; k < i + 3; ++k)
+            {
+                os  << "vertex " << all[k].x() << ' ' << all[k].y() << ' '
+                    << all[k].z() << '\n';
+            }
+            os << "endloop\nendfacet\n";
+        }
+
+        os << "endsolid\n";
+        os.close();
+
+        if (!os)
+        {
+            FatalErrorInFunction
+                << "Cannot write the wall of the grains to " << path << nl
+                << "    Is the disk full, or the folder read-only?"
+                << exit(FatalError);
+        }
+    }
+
+    return path;
+}
+
+
+void Foam::liggghtsWalls::add(liggghtsInstance& liggghts)
+{
+    static const char* const planes[] = {"xplane", "yplane", "zplane"};
+
+    label n = 0;
+
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (!isA<wallPolyPatch>(patch) || !patches_.match(patch.name()))
+        {
+            continue;
+        }
+
+        // LIGGGHTS keeps room for nine letters of a wall's id
+        const word id("wall" + Foam::name(n++));
+        const label at = side(patch);
+
+        string geometry;
+        if (at >= 0)
+        {
+            const boundBox& box = mesh_.bounds();
+            std::ostringstream os;
+            os.precision(17);
+            os  << "primitive type " << type_ << ' ' << planes[at/2] << ' '
+                << (at % 2 ? box.max() : box.min())[at/2];
+            geometry = os.str();
+        }
+        else
+        {
+            const word surface("mesh" + Foam::name(n));
+            liggghts.command
+            (
+                "fix " + surface + " all mesh/surface file "
+              + writeSurface(patch) + " type " + Foam::name(type_)
+            );
+            geometry = "mesh n_meshes 1 meshes " + surface;
+        }
+
+        liggghts.command
+        (
+            "fix " + id + " all wall/gran " + contactModel_ + " " + geometry
+          + " store_force yes"
+        );
+        fixes_.insert(patch.name(), id);
+
+        Info<< "    wall " << patch.name() << ": "
+            << (at >= 0 ? "plane" : "surface") << endl;
+    }
+}
