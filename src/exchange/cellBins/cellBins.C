@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Finds the cell of a point on this rank without knowing where to begin.
+
+#include "cellBins.H"
+
+namespace
+{
+    //- Bounds of each cell of the mesh [m]
+    Foam::List<Foam::boundBox> cellBounds(const Foam::polyMesh& mesh)
+    {
+        Foam::List<Foam::boundBox> result(mesh.nCells());
+
+        forAll(result, cell)
+        {
+            for (const Foam::label f : mesh.cells()[cell])
+            {
+                result[cell].add
+                (
+                    Foam::pointField(mesh.points(), mesh.faces()[f])
+                );
+            }
+        }
+
+        return result;
+    }
+}
+
+
+Foam::cellBins::cellBins(const polyMesh& mesh, const meshWalker& walker)
+:
+    walker_(walker),
+    box_(mesh.points(), false),
+    n_(1, 1, 1),
+    perLength_(Zero),
+    tolerance_(1e-9*mesh.bounds().mag())
+{
+    if (!mesh.nCells())
+    {
+        start_.setSize(2, Zero);
+        return;
+    }
+
+    const scalar size =
+        cbrt((box_.volume() + VSMALL)/scalar(mesh.nCells()));
+
+    for (direction k = 0; k < 3; ++k)
+    {
+        const scalar span = max(box_.span()[k], SMALL);
+        n_[k] = min(max(label(std::round(span/size)), 1), 1000);
+        perLength_[k] = n_[k]/span;
+    }
+
+    const List<boundBox> bounds(cellBounds(mesh));
+    labelList count(n_.x()*n_.y()*n_.z(), Zero);
+
+    // Twice over the cells: first how many there are in each bin, then which
+    for (const bool counting : {true, false})
+    {
+        if (!counting)
+        {
+            start_.setSize(count.size() + 1, Zero);
+            forAll(count, i)
+            {
+                start_[i + 1] = start_[i] + count[i];
+            }
+            cells_.setSize(start_.last());
+            count = Zero;
+        }
+
+        forAll(bounds, cell)
+        {
+            // A cell that ends at a border of bins is not in the next one
+            const vector inset(0.001*bounds[cell].span());
+            const labelVector from(bin(bounds[cell].min() + inset));
+            const labelVector to(bin(bounds[cell].max() - inset));
+
+            for (label k = from.z(); k <= to.z(); ++k)
+            {
+                for (label j = from.y(); j <= to.y(); ++j)
+                {
+                    for (label i = from.x(); i <= to.x(); ++i)
+                    {
+                        const label at = index(i, j, k);
+                        if (!counting)
+                        {
+                            cells_[start_[at] + count[at]] = cell;
+                        }
+                        ++count[at];
+                    }
+                }
+            }
+        }
+    }
+}
+
+
+inline Foam::labelVector Foam::cellBins::bin(const point& p) const
+{
+    labelVector result;
+
+    for (direction k = 0; k < 3; ++k)
+    {
+        const scalar at = (p[k] - box_.min()[k])*perLength_[k];
+        result[k] = min(max(label(at), 0), n_[k] - 1);
+    }
+
+    return result;
+}
+
+
+Foam::label Foam::cellBins::find(const point& p) const
+{
+    for (direction k = 0; k < 3; ++k)
+    {
+        // Written so that NaN is not inside
+        if
+        (
+            !(
+                p[k] >= box_.min()[k] - tolerance_
+             && p[k] <= box_.max()[k] + tolerance_
+            )
+        )
+        {
+            return -1;
+        }
+    }
+
+    const labelVector at(bin(p));
+    const label i = index(at.x(), at.y(), at.z());
+
+    scalar least = GREAT;
+    label nearest = -1;
+
+    for (label c = start_[i]; c < start_[i + 1]; ++c)
+    {
+        const scalar outside = walker_.outside(p, cells_[c]);
+
+        if (outside < 0)
+        {
+            return cells_[c];
+        }
+        if (outside < least)
+        {
+            least = outside;
+            nearest = cells_[c];
+        }
+    }
+
+    if (least <= tolerance_)
+    {
+        return nearest;
+    }
+
+    // At a slanted or curved face the bin can hold a neighbour only
+    if (nearest >= 0)
+    {
+        point q(p);
+        const meshWalker::place end = walker_.walk(q, nearest);
+
+        if
+        (
+            end.rank == Pstream::myProcNo()
+         && walker_.outside(q, end.cell) <= tolerance_
+        )
+        {
+            return end.cell;
+        }
+    }
+
+    return -1;
+}

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which share of each grain lies in which cell, on this rank or another.
+
+#include "cellWeights.H"
+
+#include "swapLists.H"
+
+Foam::cellWeights::cellWeights(const meshWalker& walker, const label nCells)
+:
+    walker_(walker),
+    nCells_(nCells),
+    leaving_(Pstream::nProcs()),
+    theirs_(Pstream::nProcs()),
+    ours_(Pstream::nProcs())
+{
+    clear();
+}
+
+
+void Foam::cellWeights::clear()
+{
+    start_.clear();
+    start_.append(0);
+    slots_.clear();
+    weights_.clear();
+
+    forAll(leaving_, rank)
+    {
+        leaving_[rank].clear();
+        theirs_[rank].clear();
+        ours_[rank].clear();
+    }
+}
+
+
+void Foam::cellWeights::add
+(
+    const point& p,
+    const meshWalker::place& place,
+    const scalar weight
+)
+{
+    leaving_[place.rank].append
+    (
+        traveller{p, place.cell, Pstream::myProcNo(), slots_.size()}
+    );
+
+    // The slot is known when the traveller has arrived
+    add(-1, weight);
+}
+
+
+Foam::DynamicList<Foam::cellWeights::arrival> Foam::cellWeights::follow()
+{
+    const label me = Pstream::myProcNo();
+    DynamicList<arrival> home;
+
+    while (true)
+    {
+        List<List<traveller>> toRanks(Pstream::nProcs());
+        label n = 0;
+
+        forAll(leaving_, rank)
+        {
+            n += leaving_[rank].size();
+            toRanks[rank].transfer(leaving_[rank]);
+        }
+
+        if (!returnReduce(n, sumOp<label>()))
+        {
+            return home;
+        }
+
+        List<List<arrival>> answers(Pstream::nProcs());
+
+        for (const List<traveller>& from : swapLists(toRanks))
+        {
+            for (traveller t : from)
+            {
+                const meshWalker::place end = walker_.walk(t.position, t.cell);
+
+                if (end.rank != me)
+                {
+                    t.cell = end.cell;
+                    leaving_[end.rank].append(t);
+                }
+                else
+                {
+                    const arrival a{t.homeEntry, me, end.cell};
+
+                    if (t.homeRank == me)
+                    {
+                        home.append(a);
+                    }
+                    else
+                    {
+                        answers[t.homeRank].append(a);
+                    }
+                }
+            }
+        }
+
+        for (const List<arrival>& from : swapLists(answers))
+        {
+            home.append(from);
+        }
+    }
+}
+
+
+void Foam::cellWeights::numberSlots(const UList<arrival>& arrivals)
+{
+    const label me = Pstream::myProcNo();
+    List<Map<label>> number(Pstream::nProcs());
+
+    for (const arrival& a : arrivals)
+    {
+        if (a.rank != me && number[a.rank].insert(a.cell, theirs_[a.rank].size()))
+        {
+            theirs_[a.rank].append(a.cell);
+        }
+    }
+
+    labelList first(Pstream::nProcs(), nCells_);
+    for (label rank = 1; rank < Pstream::nProcs(); ++rank)
+    {
+        first[rank] = first[rank - 1] + theirs_[rank - 1].size();
+    }
+
+    for (const arrival& a : arrivals)
+    {
+        slots_[a.entry] =
+            a.rank == me ? a.cell : first[a.rank] + number[a.rank][a.cell];
+    }
+
+    ours_ = swapLists(theirs_);
+}
+
+
+void Foam::cellWeights::finish()
+{
+    if (Pstream::parRun())
+    {
+        numberSlots(follow());
+    }
+}
