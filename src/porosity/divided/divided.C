@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Porosity: a grain is divided over the cells that its points lie in.
+
+#include "divided.H"
+
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace porosityModels
+{
+    defineTypeName(divided);
+    addToRunTimeSelectionTable(porosityModel, divided, dictionary);
+}
+}
+
+
+Foam::porosityModels::divided::divided(const dictionary&)
+{
+    // Each shell's points stand where half of its volume is within: the
+    // shells reach from 1/29 to 15/29 and to 29/29 of the volume
+    const scalar radii[] = {cbrt(8.0/29), cbrt(22.0/29)};
+
+    points_[0] = Zero;
+    label n = 1;
+
+    for (const scalar radius : radii)
+    {
+        // Six points on the axes, eight towards the corners of a cube
+        for (direction k = 0; k < 3; ++k)
+        {
+            for (const scalar sign : {-1.0, 1.0})
+            {
+                points_[n] = Zero;
+                points_[n++][k] = sign*radius;
+            }
+        }
+
+        for (label corner = 0; corner < 8; ++corner)
+        {
+            const scalar along = radius/sqrt(3.0);
+
+            points_[n++] = point
+            (
+                corner & 1 ? along : -along,
+                corner & 2 ? along : -along,
+                corner & 4 ? along : -along
+            );
+        }
+    }
+}
+
+
+void Foam::porosityModels::divided::addShares
+(
+    const locatedGrain& grain,
+    const meshWalker& walker,
+    cellWeights& weights
+) const
+{
+    if (walker.outside(grain.position, grain.cell) < -grain.radius)
+    {
+        weights.add(grain.cell, 1);
+        return;
+    }
+
+    const label me = Pstream::myProcNo();
+    const scalar share = 1.0/nPoints;
+
+    // Cells met so far, few
+    FixedList<label, nPoints> cells;
+    FixedList<label, nPoints> counts;
+    label n = 0;
+
+    for (const point& direction : points_)
+    {
+        point p(grain.position + grain.radius*direction);
+        const meshWalker::place end = walker.walk(p, grain.cell);
+
+        if (end.rank != me)
+        {
+            weights.add(p, end, share);
+            continue;
+        }
+
+        label i = 0;
+        while (i < n && cells[i] != end.cell)
+        {
+            ++i;
+        }
+        if (i == n)
+        {
+            cells[n] = end.cell;
+            counts[n++] = 0;
+        }
+        ++counts[i];
+    }
+
+    for (label i = 0; i < n; ++i)
+    {
+        weights.add(cells[i], counts[i]*share);
+    }
+}

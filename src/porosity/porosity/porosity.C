@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Void fraction from the grains, and the way between grains and cells.
+
+#include "porosity.H"
+
+#include "mathematicalConstants.H"
+#include "syncTools.H"
+
+Foam::porosity::porosity(const grainExchange& exchange, const dictionary& dict)
+:
+    exchange_(exchange),
+    model_(porosityModel::New(dict)),
+    smoothing_
+    (
+        smoothingModel::New(exchange.mesh(), dict.subOrEmptyDict("smoothing"))
+    ),
+    minimum_(dict.lookupOrDefault<scalar>("minimum", 0.3)),
+    weights_(exchange.walker(), exchange.mesh().nCells()),
+    solidFraction_(exchange.mesh().nCells(), Zero),
+    spreadVolume_(0),
+    totalVolume_(0)
+{
+    if (minimum_ <= 0 || minimum_ >= 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "minimum is " << minimum_ << ": the least void fraction lies"
+            << " between 0 and 1 (default 0.3)." << exit(FatalIOError);
+    }
+}
+
+
+Foam::scalar Foam::porosity::volume(const locatedGrain& grain)
+{
+    return 4*constant::mathematical::pi/3*pow3(grain.radius);
+}
+
+
+void Foam::porosity::measure()
+{
+    totalVolume_ = 0;
+    scalar diameterSum = 0;
+
+    for (const locatedGrain& grain : exchange_.grains())
+    {
+        totalVolume_ += volume(grain);
+        diameterSum += volume(grain)*2*grain.radius;
+    }
+
+    reduce(totalVolume_, sumOp<scalar>());
+    reduce(diameterSum, sumOp<scalar>());
+    smoothing_->setDiameter(diameterSum/max(totalVolume_, VSMALL));
+}
+
+
+void Foam::porosity::update()
+{
+    measure();
+    weights_.clear();
+
+    const List<locatedGrain>& grains = exchange_.grains();
+    scalarField volumes(grains.size());
+
+    forAll(grains, i)
+    {
+        volumes[i] = volume(grains[i]);
+        model_->addShares(grains[i], exchange_.walker(), weights_);
+        weights_.endGrain();
+    }
+
+    weights_.finish();
+
+    solidFraction_ = spread(volumes);
+    spreadExcess();
+}
+
+
+Foam::scalarField Foam::porosity::sumOverNeighbours
+(
+    const scalarField& cells
+) const
+{
+    const fvMesh& mesh = exchange_.mesh();
+    scalarField sum(cells.size(), Zero);
+
+    for (label f = 0; f < mesh.nInternalFaces(); ++f)
+    {
+        sum[mesh.owner()[f]] += cells[mesh.neighbour()[f]];
+        sum[mesh.neighbour()[f]] += cells[mesh.owner()[f]];
+    }
+
+    scalarField behind;
+    syncTools::swapBoundaryCellList(mesh, cells, behind);
+
+    for (const fvPatch& patch : mesh.boundary())
+    {
+        if (patch.coupled())
+        {
+            forAll(patch, i)
+            {
+                sum[patch.faceCells()[i]] +=
+                    behind[patch.start() + i - mesh.nInternalFaces()];
+            }
+        }
+    }
+
+    return sum;
+}
+
+
+void Foam::porosity::spreadExcess()
+{
+    const scalarField& volume = exchange_.mesh().V();
+    const scalar most = 1 - minimum_;
+    const label nRounds = 1000;
+
+    spreadVolume_ = 0;
+
+    for (label round = 0; round < nRounds; ++round)
+    {
+        const scalarField excess(max(solidFraction_ - most, scalar(0)));
+
+        if (gMax(excess) < 1e-9)
+        {
+            break;
+        }
+
+        // What does not fit goes in equal parts to the cells around
+        const scalarField nNeighbours
+        (
+            sumOverNeighbours(scalarField(excess.size(), 1))
+        );
+        const scalarField part(excess*volume/max(nNeighbours, scalar(1)));
+
+        solidFraction_ +=
+            (sumOverNeighbours(part) - nNeighbours*part)/volume;
+        spreadVolume_ += gSum(nNeighbours*part);
+    }
+
+    if (spreadVolume_ > 0)
+    {
+        Info<< "    grain volume spread over neighbouring cells, since the"
+            << " void fraction would be below " << minimum_ << ": "
+            << 100*spreadVolume_/totalVolume_ << " %" << endl;
+    }
+}
