@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Unit tests: choosing drag laws by name, blending them, and what wrong input
+// is told.
+
+#include "forceLaws.H"
+
+using namespace Foam;
+using namespace Foam::forceLaws;
+
+namespace
+{
+
+const char* const names[]
+{
+    "DiFelice", "Gidaspow", "KochHill", "Beetstra", "SchillerNaumann", "none"
+};
+
+
+grainState someState()
+{
+    grainState state = atReynolds(inWater(), 37);
+    state.voidFraction = 0.61;
+    return state;
+}
+
+} // End anonymous namespace
+
+
+TEST(dragSelection, everyLawIsThereUnderItsName)
+{
+    for (const std::string name : names)
+    {
+        EXPECT_EQ
+        (
+            law<dragModel>("model " + name + ";")->type(), name
+        );
+    }
+}
+
+
+TEST(dragSelection, anUnknownNameListsTheValidOnes)
+{
+    for (const std::string name : names)
+    {
+        expectError<dragModel>("model DiFelise;", {"DiFelise", name});
+    }
+}
+
+
+TEST(dragSelection, aMissingNameListsTheValidOnes)
+{
+    expectError<dragModel>("", {"model", "missing", "DiFelice", "KochHill"});
+}
+
+
+TEST(dragSelection, aMisspeltKeywordIsNotTakenForItsDefault)
+{
+    expectError<dragModel>
+    (
+        "model DiFelice; formulatoin asPrinted;",
+        {"formulatoin", "formulation", "strength"}
+    );
+    expectError<dragModel>
+    (
+        "model KochHill; strenght 0.5;", {"strenght", "strength"}
+    );
+}
+
+
+TEST(dragSelection, aWrongChoiceListsTheValidOnes)
+{
+    expectError<dragModel>
+    (
+        "model DiFelice; formulation B;", {"modelA", "asPrinted"}
+    );
+    expectError<dragModel>
+    (
+        "model Gidaspow; transition soft;", {"sharp", "smooth"}
+    );
+}
+
+
+TEST(dragSelection, strengthOutsideZeroToOneIsRefused)
+{
+    for (const std::string strength : {"-0.1", "1.1"})
+    {
+        expectError<dragModel>
+        (
+            "model KochHill; base DiFelice; strength " + strength + ";",
+            {"strength", strength, "between 0"}
+        );
+    }
+}
+
+
+TEST(dragSelection, strengthBelowOneNeedsAValidBase)
+{
+    expectError<dragModel>
+    (
+        "model KochHill; strength 0.5;", {"base", "missing", "Gidaspow"}
+    );
+    expectError<dragModel>
+    (
+        "model KochHill; base Ergon;", {"Ergon", "Gidaspow"}
+    );
+}
+
+
+TEST(dragSelection, strengthZeroIsTheBaseToTheLastBit)
+{
+    const auto base = law<dragModel>("model DiFelice;");
+    const auto none = law<dragModel>
+    (
+        "model KochHill; base DiFelice; strength 0;"
+    );
+
+    EXPECT_EQ(none->K(someState()), base->K(someState()));
+}
+
+
+TEST(dragSelection, strengthOneIsTheModelToTheLastBit)
+{
+    const auto model = law<dragModel>("model KochHill;");
+    const auto full = law<dragModel>
+    (
+        "model KochHill; base DiFelice; strength 1;"
+    );
+
+    EXPECT_EQ(full->K(someState()), model->K(someState()));
+}
+
+
+TEST(dragSelection, strengthBetweenBlendsLinearly)
+{
+    const scalar base = law<dragModel>("model DiFelice;")->K(someState());
+    const scalar model = law<dragModel>("model KochHill;")->K(someState());
+
+    for (const scalar s : {1e-12, 0.25, 0.5, 1 - 1e-12})
+    {
+        std::ostringstream text;
+        text.precision(17);
+        text << "model KochHill; base DiFelice; strength " << s << ";";
+
+        EXPECT_DOUBLE_EQ
+        (
+            law<dragModel>(text.str())->K(someState()),
+            (1 - s)*base + s*model
+        );
+    }
+}
+
+
+TEST(dragSelection, theBaseTakesItsOwnSettings)
+{
+    const auto printed = law<dragModel>
+    (
+        "model DiFelice; formulation asPrinted;"
+    );
+    const auto blend = law<dragModel>
+    (
+        "model DiFelice; base DiFelice; strength 0;"
+        "baseSettings { formulation asPrinted; }"
+    );
+
+    EXPECT_EQ(blend->K(someState()), printed->K(someState()));
+    EXPECT_NE
+    (
+        blend->K(someState()),
+        law<dragModel>("model DiFelice;")->K(someState())
+    );
+}
