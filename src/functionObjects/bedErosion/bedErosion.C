@@ -1,0 +1,503 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How deep, how far and how fast a bed of grains is eroded.
+
+#include "bedErosion.H"
+
+#include "addToRunTimeSelectionTable.H"
+#include "erosionPhases.H"
+#include "granularPhase.H"
+#include "mathematicalConstants.H"
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(bedErosion, 0);
+    addToRunTimeSelectionTable(functionObject, bedErosion, dictionary);
+}
+}
+
+
+Foam::functionObjects::bedErosion::bedErosion
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    flumeFunctionObject(name, runTime, dict, typeName)
+{
+    read(dict);
+
+    depth_ = keptSeries("depth");
+    rate_ = keptSeries("rate");
+    UEroded_ = keptSeries("UEroded");
+
+    if (writes())
+    {
+        writeHeaders();
+    }
+
+    // On a running case this is before the first step
+    if (mesh_.foundObject<granularPhase>(granularPhase::typeName))
+    {
+        refer(bed());
+    }
+}
+
+
+bool Foam::functionObjects::bedErosion::read(const dictionary& dict)
+{
+    flumeFunctionObject::read(dict);
+
+    types_ = labelHashSet(dict.get<labelList>("bedTypes"));
+    stripWidth_ = dict.lookupOrDefault<scalar>("stripWidth", 0.01);
+    planWidth_ = dict.lookupOrDefault<scalar>("planWidth", 0.02);
+    width_ = dict.lookupOrDefault<scalar>("width", box().span().y());
+    packing_ = dict.lookupOrDefault<scalar>("packing", 0);
+    depthRange_ = dict.lookupOrDefault("depthRange", range(1.2, 1.4));
+    rateRange_ = dict.lookupOrDefault("rateRange", range(1.1, 1.3));
+    layerRange_ = dict.lookupOrDefault("layerRange", depthRange_);
+    rateWindow_ = dict.lookupOrDefault<scalar>("rateWindow", 0.1);
+    xStart_ = dict.lookupOrDefault<scalar>("xStart", 0.6);
+    smoothing_ = dict.lookupOrDefault<scalar>("smoothing", 0.1);
+    threshold_ = dict.lookupOrDefault<scalar>("threshold", 0.001);
+    onset_ = dict.lookupOrDefault<scalar>("onset", 0.001);
+    attenuation_ = dict.lookupOrDefault<scalar>("attenuation", 0.05);
+    bouncingSpeed_ = dict.lookupOrDefault<scalar>("bouncingSpeed", 0);
+    creepingSpeed_ = dict.lookupOrDefault<scalar>("creepingSpeed", 0);
+    nFarthest_ = dict.lookupOrDefault<label>("nFarthest", 10);
+
+    if (types_.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "bedTypes is empty: give the types of the bed's grains, for"
+            << " instance (1)." << exit(FatalIOError);
+    }
+
+    if (stripWidth_ <= 0 || planWidth_ <= 0 || width_ <= 0 || nFarthest_ < 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "stripWidth, planWidth, width and nFarthest must be above zero,"
+            << " and are " << stripWidth_ << ", " << planWidth_ << ", "
+            << width_ << ", " << nFarthest_ << exit(FatalIOError);
+    }
+
+    for (const range& r : {depthRange_, rateRange_, layerRange_})
+    {
+        if (r.first() >= r.second())
+        {
+            FatalIOErrorInFunction(dict)
+                << "A range from " << r.first() << " to " << r.second()
+                << " m is empty: check depthRange, rateRange and layerRange."
+                << exit(FatalIOError);
+        }
+    }
+
+    return true;
+}
+
+
+void Foam::functionObjects::bedErosion::writeHeaders()
+{
+    writeColumns
+    (
+        file(),
+        "Erosion of the bed; lengths in m, velocities in m/s, volumes in m3",
+        {
+            "H", "depthX0", "rate", "L", "xEnd", "Lc", "LcRaw", "xFarthest",
+            "Ue", "Ubouncing", "eroded", "deposited", "bedVolume"
+        }
+    );
+
+    writeColumns
+    (
+        extraFile("layers"),
+        "Layers of the bed in layerRange: thickness in m, mean velocity"
+        " downslope in m/s, number of grains",
+        {
+            "bouncing", "Ubouncing", "nBouncing",
+            "creeping", "Ucreeping", "nCreeping",
+            "stationary", "Ustationary", "nStationary"
+        }
+    );
+}
+
+
+Foam::bedGrains Foam::functionObjects::bedErosion::bed() const
+{
+    return bedGrains(frame_, grains(), ofTypes(grains(), types_));
+}
+
+
+Foam::fileName Foam::functionObjects::bedErosion::referenceFile() const
+{
+    return baseFileDir()/name()/"reference";
+}
+
+
+void Foam::functionObjects::bedErosion::refer(const bedGrains& bed)
+{
+    if (reference_.time < GREAT)
+    {
+        return;
+    }
+
+    const planGrid grid(box(), planWidth_);
+    const strips along(box().min().x(), box().max().x(), stripWidth_);
+
+    // A reference of now or later is one of an earlier run of this case
+    if
+    (
+        reference_.read(referenceFile())
+     && reference_.time < now() - SMALL
+     && reference_.volume.size() == along.size()
+     && reference_.highest.size() == grid.size()
+    )
+    {
+        return;
+    }
+
+    if (!returnReduce(bed.size(), sumOp<label>()))
+    {
+        FatalErrorInFunction
+            << type() << " " << name() << ": no grains of bedTypes "
+            << types_.sortedToc() << " at time " << now() << "." << nl
+            << "    Check the types of the bed's grains, and that the cloud "
+            << grainSnapshot::cloudName << " was written at this time."
+            << exit(FatalError);
+    }
+
+    reference_.take
+    (
+        now(), bed, box(), stripWidth_, width_, grid, packing_
+    );
+
+    if (Pstream::master())
+    {
+        reference_.write(referenceFile());
+    }
+
+    Info<< type() << " " << name() << ": bed at time " << now()
+        << " is the reference; solid fraction " << reference_.packing
+        << ", diameter " << reference_.d << " m" << endl;
+}
+
+
+Foam::scalar Foam::functionObjects::bedErosion::bouncingSpeed() const
+{
+    return
+        bouncingSpeed_ > 0
+      ? bouncingSpeed_
+      : sqrt(2*mag(gravity())*cosSlope()*reference_.d);
+}
+
+
+Foam::scalar Foam::functionObjects::bedErosion::creepingSpeed() const
+{
+    return
+        creepingSpeed_ > 0
+      ? creepingSpeed_
+      : 0.05*sqrt(mag(gravity())*cosSlope()*reference_.d);
+}
+
+
+Foam::strips Foam::functionObjects::bedErosion::erosionDepth
+(
+    const bedGrains& bed
+) const
+{
+    strips depth(bed.alongFlume(box(), stripWidth_));
+
+    depth.values() =
+        (scalarField(reference_.volume) - depth.values())
+       /(reference_.packing*width_*stripWidth_);
+
+    return depth;
+}
+
+
+Foam::Tuple2<Foam::strips, Foam::scalar>
+Foam::functionObjects::bedErosion::carried(const bedGrains& bed) const
+{
+    const planGrid grid(box(), planWidth_);
+    strips number(box().min().x(), box().max().x(), stripWidth_);
+    scalar farthest = box().min().x();
+
+    forAll(bed.d, i)
+    {
+        const vector& c = bed.centre[i];
+        const scalar top = reference_.highest[grid.find(c.x(), c.y())];
+
+        if (c.x() > reference_.end + bed.d[i] || c.z() > top + bed.d[i]/2)
+        {
+            number.add(c.x(), 1);
+            farthest = max(farthest, c.x());
+        }
+    }
+
+    number.reduce();
+
+    return Tuple2<strips, scalar>
+    (
+        number,
+        returnReduce(farthest, maxOp<scalar>())
+    );
+}
+
+
+bool Foam::functionObjects::bedErosion::execute()
+{
+    const bedGrains grains(bed());
+    refer(grains);
+
+    const strips depth(erosionDepth(grains));
+    strips smooth(depth);
+    smooth.values() = depth.smoothed(smoothing_);
+
+    const erosionExtent extent(smooth, xStart_, threshold_);
+    const Tuple2<strips, scalar> far(carried(grains));
+    const scalar H = depth.mean(depthRange_.first(), depthRange_.second());
+    const scalar atX0 = depth.mean(rateRange_.first(), rateRange_.second());
+
+    const bedLayers moving
+    (
+        grains, xStart_, GREAT, bouncingSpeed(), creepingSpeed()
+    );
+    const bedLayers layers
+    (
+        grains,
+        layerRange_.first(),
+        layerRange_.second(),
+        bouncingSpeed(),
+        creepingSpeed()
+    );
+
+    depth_.append(now(), atX0);
+    rate_.append(now(), depth_.lastSlope(rateWindow_));
+    UEroded_.append(now(), moving.UMoving);
+
+    const scalar solid = reference_.packing*width_;
+
+    line_ =
+    {
+        H, atX0, rate_.values().last(), extent.length, extent.end,
+        far.first().beyond(nFarthest_), far.second(), grains.farthest(),
+        moving.UMoving, moving.bouncing.U,
+        extent.eroded*solid, extent.deposited*solid,
+        gSum((constant::mathematical::pi*pow3(grains.d)/6)())
+    };
+
+    const scalar base = solid*(layerRange_.second() - layerRange_.first());
+    layerLine_.clear();
+    for
+    (
+        const bedLayer& l
+      : {layers.bouncing, layers.creeping, layers.stationary}
+    )
+    {
+        layerLine_.append(scalarList({l.volume/base, l.U, scalar(l.n)}));
+    }
+
+    setResult("H", H);
+    setResult("L", extent.length);
+    setResult("Lc", line_[5]);
+    setResult("Ue", moving.UMoving);
+
+    Log << type() << " " << name() << ": H " << H << " m, L "
+        << extent.length << " m, Lc " << line_[5] << " m, Ue "
+        << moving.UMoving << " m/s" << nl << endl;
+
+    return true;
+}
+
+
+void Foam::functionObjects::bedErosion::writeProfile
+(
+    const strips& depth
+) const
+{
+    if (!writes())
+    {
+        return;
+    }
+
+    autoPtr<OFstream> file(presentFile("profile"));
+
+    writeColumns
+    (
+        *file,
+        "Along the flume: reference and present thickness of the bed, erosion"
+        " depth, all in m at the bed's own packing",
+        {"x", "reference", "thickness", "depth"},
+        false
+    );
+
+    forAll(depth.values(), i)
+    {
+        const scalar before =
+            reference_.volume[i]/(reference_.packing*width_*stripWidth_);
+        const scalar h = depth.values()[i];
+
+        writeRow(*file, scalarList({depth.centre(i), before, before - h, h}));
+    }
+}
+
+
+void Foam::functionObjects::bedErosion::writePlanView
+(
+    const bedGrains& bed
+) const
+{
+    const planGrid grid(box(), planWidth_);
+    const scalarField volume(bed.overPlan(grid));
+    const scalarField highest(bed.highest(grid, bouncingSpeed()));
+
+    if (!writes())
+    {
+        return;
+    }
+
+    autoPtr<OFstream> file(presentFile("planView"));
+
+    writeColumns
+    (
+        *file,
+        "The bed from above: height of its surface (top of the highest grain"
+        " that does not bounce; -1 without grain) and erosion depth from the"
+        " change of volume; all in m",
+        {"x", "y", "surface", "depth"},
+        false
+    );
+
+    forAll(volume, c)
+    {
+        const scalar depth =
+            (reference_.planVolume[c] - volume[c])
+           /(reference_.packing*grid.area());
+
+        const scalar surface =
+            highest[c] > -GREAT/2 ? highest[c] + reference_.d/2 : -1;
+
+        writeRow(*file, scalarList({grid.x(c), grid.y(c), surface, depth}));
+    }
+}
+
+
+void Foam::functionObjects::bedErosion::writeVelocities
+(
+    const bedGrains& bed
+) const
+{
+    strips volume(box().min().z(), box().max().z(), reference_.d);
+    strips flux(volume);
+
+    forAll(bed.d, i)
+    {
+        const scalar x = bed.centre[i].x();
+
+        if (x >= layerRange_.first() && x <= layerRange_.second())
+        {
+            volume.add(bed.centre[i].z(), bed.volume(i));
+            flux.add(bed.centre[i].z(), bed.volume(i)*bed.U[i].x());
+        }
+    }
+
+    volume.reduce();
+    flux.reduce();
+
+    if (!writes())
+    {
+        return;
+    }
+
+    autoPtr<OFstream> file(presentFile("velocityProfile"));
+
+    writeColumns
+    (
+        *file,
+        "Bed grains in layerRange by height: solid volume in m3 and mean"
+        " velocity downslope in m/s",
+        {"z", "volume", "U"},
+        false
+    );
+
+    forAll(volume.values(), i)
+    {
+        const scalar v = volume.values()[i];
+        if (v > 0)
+        {
+            writeRow
+            (
+                *file,
+                scalarList({volume.centre(i), v, flux.values()[i]/v})
+            );
+        }
+    }
+}
+
+
+bool Foam::functionObjects::bedErosion::write()
+{
+    keep("depth", depth_);
+    keep("rate", rate_);
+    keep("UEroded", UEroded_);
+
+    if (writes())
+    {
+        writeLine(file(), line_);
+        writeLine(extraFile("layers"), layerLine_);
+    }
+
+    if (functionObject::postProcess || mesh_.time().writeTime())
+    {
+        const bedGrains grains(bed());
+
+        writeProfile(erosionDepth(grains));
+        writePlanView(grains);
+        writeVelocities(grains);
+    }
+
+    return true;
+}
+
+
+bool Foam::functionObjects::bedErosion::end()
+{
+    if (!writes() || line_.empty())
+    {
+        return true;
+    }
+
+    const erosionPhases phases(depth_, rate_, onset_, attenuation_);
+
+    OFstream& os = extraFile("summary");
+    writeColumns
+    (
+        os,
+        "Final H, L and Lc in m; phases in s (-1: not reached); peak rate and"
+        " mean velocity of the eroded material in the net erosion phase in m/s",
+        {"H", "L", "Lc", "netStart", "netEnd", "peakRate", "peakTime", "Ue"},
+        false
+    );
+
+    const auto reached = [](const scalar t) { return t < GREAT/2 ? t : -1; };
+
+    writeRow
+    (
+        os,
+        scalarList
+        ({
+            line_[0],
+            line_[3],
+            line_[5],
+            reached(phases.netStart),
+            reached(phases.netEnd),
+            phases.peakRate,
+            reached(phases.peakTime),
+            UEroded_.mean(phases.netStart, phases.netEnd)
+        })
+    );
+
+    return true;
+}

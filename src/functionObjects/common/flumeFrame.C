@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The directions of a flume.
+
+#include "flumeFrame.H"
+
+#include "PstreamReduceOps.H"
+
+namespace
+{
+
+Foam::vector unitVector
+(
+    const Foam::dictionary& dict,
+    const Foam::word& key,
+    const Foam::vector& usual
+)
+{
+    using namespace Foam;
+
+    const vector v(dict.lookupOrDefault<vector>(key, usual));
+
+    if (mag(v) < SMALL)
+    {
+        FatalIOErrorInFunction(dict)
+            << key << " is " << v << ": give a direction, for instance "
+            << usual << "." << exit(FatalIOError);
+    }
+
+    return v/mag(v);
+}
+
+} // End anonymous namespace
+
+
+Foam::flumeFrame::flumeFrame()
+:
+    flumeFrame(dictionary::null)
+{}
+
+
+Foam::flumeFrame::flumeFrame(const dictionary& dict)
+:
+    origin_(dict.lookupOrDefault<vector>("origin", vector::zero)),
+    x_(unitVector(dict, "downslope", vector(1, 0, 0))),
+    z_(unitVector(dict, "normal", vector(0, 0, 1)))
+{
+    if (mag(x_ & z_) > 1e-6)
+    {
+        FatalIOErrorInFunction(dict)
+            << "downslope " << x_ << " and normal " << z_
+            << " are not at right angles: downslope runs along the base,"
+            << " normal away from it." << exit(FatalIOError);
+    }
+
+    y_ = z_ ^ x_;
+}
+
+
+Foam::boundBox Foam::flumeFrame::bounds(const UList<vector>& points) const
+{
+    boundBox box;
+
+    for (const vector& p : points)
+    {
+        box.add(local(p));
+    }
+
+    reduce(box.min(), minOp<vector>());
+    reduce(box.max(), maxOp<vector>());
+
+    return box;
+}

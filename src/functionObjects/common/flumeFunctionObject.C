@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the function objects of interDEMFoam share.
+
+#include "flumeFunctionObject.H"
+
+#include "gravityMeshObject.H"
+#include "snapshotCache.H"
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(flumeFunctionObject, 0);
+}
+}
+
+
+Foam::functionObjects::flumeFunctionObject::flumeFunctionObject
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict,
+    const word& fileName
+)
+:
+    fvMeshFunctionObject(name, runTime, dict),
+    writeFile(mesh_, name, fileName, dict),
+    rhoWater_(0)
+{}
+
+
+bool Foam::functionObjects::flumeFunctionObject::read(const dictionary& dict)
+{
+    fvMeshFunctionObject::read(dict);
+    writeFile::read(dict);
+
+    frame_ = flumeFrame(dict);
+    alphaName_ = dict.lookupOrDefault<word>("alpha", "alpha.water");
+    voidFractionName_ =
+        dict.lookupOrDefault<word>("voidFraction", "voidFraction");
+    rhoWater_ = dict.lookupOrDefault<scalar>("rhoWater", 0);
+
+    return true;
+}
+
+
+const Foam::grainSnapshot&
+Foam::functionObjects::flumeFunctionObject::grains() const
+{
+    return snapshotCache::get(mesh_);
+}
+
+
+Foam::labelList Foam::functionObjects::flumeFunctionObject::ofTypes
+(
+    const grainSnapshot& grains,
+    const labelHashSet& types
+) const
+{
+    DynamicList<label> chosen(grains.size());
+
+    forAll(grains.type, i)
+    {
+        if (types.empty() || types.found(grains.type[i]))
+        {
+            chosen.append(i);
+        }
+    }
+
+    return chosen;
+}
+
+
+Foam::tmp<Foam::volScalarField>
+Foam::functionObjects::flumeFunctionObject::voidFraction() const
+{
+    if (voidFractionName_ == "none")
+    {
+        return volScalarField::New
+        (
+            "voidFraction.none",
+            mesh_,
+            dimensionedScalar("one", dimless, 1)
+        );
+    }
+
+    return field<volScalarField>(voidFractionName_);
+}
+
+
+Foam::tmp<Foam::scalarField>
+Foam::functionObjects::flumeFunctionObject::waterVolume() const
+{
+    const tmp<volScalarField> alpha(field<volScalarField>(alphaName_));
+    const tmp<volScalarField> epsilon(voidFraction());
+
+    return epsilon().primitiveField()*alpha().primitiveField()*mesh_.V();
+}
+
+
+const Foam::vector&
+Foam::functionObjects::flumeFunctionObject::gravity() const
+{
+    return meshObjects::gravity::New(mesh_.time()).value();
+}
+
+
+Foam::scalar Foam::functionObjects::flumeFunctionObject::cosSlope() const
+{
+    const vector& g = gravity();
+
+    return mag(g & frame_.normal())/max(mag(g), SMALL);
+}
+
+
+Foam::scalar Foam::functionObjects::flumeFunctionObject::rhoWater() const
+{
+    if (rhoWater_ <= 0)
+    {
+        const word phase(IOobject::group(alphaName_));
+
+        const IOdictionary properties
+        (
+            IOobject
+            (
+                "transportProperties",
+                mesh_.time().constant(),
+                mesh_,
+                IOobject::MUST_READ,
+                IOobject::NO_WRITE,
+                false
+            )
+        );
+
+        rhoWater_ = dimensionedScalar
+        (
+            "rho",
+            dimDensity,
+            properties.subDict(phase)
+        ).value();
+    }
+
+    return rhoWater_;
+}
+
+
+Foam::OFstream&
+Foam::functionObjects::flumeFunctionObject::extraFile(const word& name)
+{
+    if (!files_.found(name))
+    {
+        files_.set(name, createFile(name).release());
+    }
+
+    return *files_[name];
+}
+
+
+Foam::autoPtr<Foam::OFstream>
+Foam::functionObjects::flumeFunctionObject::presentFile(const word& name) const
+{
+    return createFile(name, now());
+}
+
+
+void Foam::functionObjects::flumeFunctionObject::writeColumns
+(
+    Ostream& os,
+    const string& comment,
+    const wordList& columns,
+    const bool withTime
+) const
+{
+    writeHeader(os, comment);
+    writeCommented(os, withTime ? "Time" : columns.first());
+
+    forAll(columns, i)
+    {
+        if (withTime || i)
+        {
+            writeTabbed(os, columns[i]);
+        }
+    }
+
+    os  << endl;
+}
+
+
+void Foam::functionObjects::flumeFunctionObject::writeLine
+(
+    Ostream& os,
+    const UList<scalar>& values
+) const
+{
+    writeCurrentTime(os);
+    os  << tab;
+    writeRow(os, values);
+}
+
+
+void Foam::functionObjects::flumeFunctionObject::writeRow
+(
+    Ostream& os,
+    const UList<scalar>& values
+) const
+{
+    forAll(values, i)
+    {
+        os  << (i ? "\t" : "") << setw(charWidth()) << values[i];
+    }
+
+    os  << endl;
+}
+
+
+const Foam::boundBox& Foam::functionObjects::flumeFunctionObject::box() const
+{
+    if (!box_)
+    {
+        box_.reset(new boundBox(frame_.bounds(mesh_.points())));
+    }
+
+    return *box_;
+}
+
+
+void Foam::functionObjects::flumeFunctionObject::keep
+(
+    const word& name,
+    const sampleSeries& series
+)
+{
+    setProperty(name + "Times", series.times());
+    setProperty(name + "Values", series.values());
+}
+
+
+Foam::sampleSeries Foam::functionObjects::flumeFunctionObject::keptSeries
+(
+    const word& name
+) const
+{
+    scalarList times;
+    scalarList values;
+
+    if (!functionObject::postProcess)
+    {
+        getProperty(name + "Times", times);
+        getProperty(name + "Values", values);
+    }
+
+    return sampleSeries(times, values);
+}

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One snapshot of the grains for all function objects of a time.
+
+#include "snapshotCache.H"
+
+#include "Time.H"
+
+namespace Foam
+{
+    defineTypeNameAndDebug(snapshotCache, 0);
+}
+
+
+Foam::snapshotCache::snapshotCache(const fvMesh& mesh)
+:
+    regIOobject
+    (
+        IOobject
+        (
+            typeName,
+            mesh.time().constant(),
+            mesh,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE
+        )
+    ),
+    mesh_(mesh),
+    time_(0),
+    timeIndex_(-1)
+{}
+
+
+const Foam::grainSnapshot& Foam::snapshotCache::present()
+{
+    const Time& now = mesh_.time();
+
+    // The index alone does not tell times of postProcess apart from the start
+    if (!grains_ || timeIndex_ != now.timeIndex() || time_ != now.value())
+    {
+        grains_ = grainSnapshot::New(mesh_);
+        timeIndex_ = now.timeIndex();
+        time_ = now.value();
+    }
+
+    return *grains_;
+}
+
+
+const Foam::grainSnapshot& Foam::snapshotCache::get(const fvMesh& mesh)
+{
+    auto* cache = mesh.getObjectPtr<snapshotCache>(typeName);
+
+    if (!cache)
+    {
+        cache = new snapshotCache(mesh);
+        cache->store();
+    }
+
+    return cache->present();
+}

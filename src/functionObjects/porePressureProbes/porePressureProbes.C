@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pore pressure at points of the base.
+
+#include "porePressureProbes.H"
+
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(porePressureProbes, 0);
+    addToRunTimeSelectionTable(functionObject, porePressureProbes, dictionary);
+}
+}
+
+const Foam::Enum<Foam::functionObjects::porePressureProbes::levelType>
+Foam::functionObjects::porePressureProbes::levelNames
+({
+    {levelType::vertical, "vertical"},
+    {levelType::normal, "normal"}
+});
+
+
+Foam::functionObjects::porePressureProbes::porePressureProbes
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    flumeFunctionObject(name, runTime, dict, typeName)
+{
+    read(dict);
+
+    pressure_.setSize(probes_.size());
+    forAll(pressure_, i)
+    {
+        pressure_[i] = keptSeries(seriesName(i));
+    }
+
+    if (writes())
+    {
+        writeHeaders();
+    }
+}
+
+
+bool Foam::functionObjects::porePressureProbes::read(const dictionary& dict)
+{
+    flumeFunctionObject::read(dict);
+
+    probes_ = dict.get<pointField>("probes");
+    patchName_ = dict.get<word>("patch");
+    pName_ = dict.lookupOrDefault<word>("p", "p");
+    level_ =
+        levelNames.lookupOrDefault("hydrostatic", dict, levelType::vertical);
+    radius_ = dict.lookupOrDefault<scalar>("radius", 0.1);
+    highShare_ = dict.lookupOrDefault<scalar>("highShare", 0.5);
+    lowShare_ = dict.lookupOrDefault<scalar>("lowShare", 0.05);
+
+    findPlaces(dict);
+    pressure_.setSize(probes_.size());
+
+    return true;
+}
+
+
+void Foam::functionObjects::porePressureProbes::findPlaces
+(
+    const dictionary& dict
+)
+{
+    const label patchi = mesh_.boundaryMesh().findPatchID(patchName_);
+
+    if (patchi < 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "No patch " << patchName_ << ". Valid choices: "
+            << mesh_.boundaryMesh().names() << exit(FatalIOError);
+    }
+
+    const fvPatch& patch = mesh_.boundary()[patchi];
+    columns_.clear();
+    discs_.clear();
+
+    forAll(probes_, i)
+    {
+        discs_.append(new patchDisc(patch, probes_[i], radius_));
+
+        if (discs_[i].distance() > radius_ || discs_[i].area() <= 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Probe " << i << " at " << probes_[i] << " lies "
+                << discs_[i].distance() << " m from patch " << patchName_
+                << ": put it on the patch, or make radius (" << radius_
+                << " m) larger." << exit(FatalIOError);
+        }
+
+        const vector up
+        (
+            level_ == levelType::vertical ? -gravity() : -discs_[i].normal()
+        );
+
+        // A probe on the edge of cells would lie in both neighbours: it is
+        // moved aside by less than any cell is wide
+        const scalar aside = 1e-6*radius_;
+        const point start
+        (
+            probes_[i] + aside*frame_.downslope()
+          + 0.618*aside*frame_.across()
+        );
+
+        columns_.append(new column(mesh_, start, up));
+
+        if (returnReduce(columns_[i].length(), sumOp<scalar>()) <= 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << "No cell lies above probe " << i << " at " << probes_[i]
+                << ": is gravity " << gravity() << " right for this mesh?"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+Foam::word Foam::functionObjects::porePressureProbes::seriesName
+(
+    const label i
+)
+{
+    return word("p" + Foam::name(i));
+}
+
+
+void Foam::functionObjects::porePressureProbes::writeHeaders()
+{
+    wordList columns;
+
+    forAll(probes_, i)
+    {
+        writeHeader
+        (
+            file(),
+            "Probe " + Foam::name(i) + " at (" + Foam::name(probes_[i].x())
+          + ' ' + Foam::name(probes_[i].y()) + ' '
+          + Foam::name(probes_[i].z()) + ')'
+        );
+
+        for
+        (
+            const char* what
+          : {"p", "hydrostatic", "excess", "level", "sigma", "lambda"}
+        )
+        {
+            columns.append(word(Foam::name(i) + ":" + what));
+        }
+    }
+
+    writeColumns
+    (
+        file(),
+        "Pressures and stresses in Pa, water level over the probe in m ("
+      + levelNames[level_] + ")",
+        columns
+    );
+}
+
+
+Foam::scalarList
+Foam::functionObjects::porePressureProbes::grainStress() const
+{
+    const grainSnapshot& all = grains();
+    scalarList stress(probes_.size(), Zero);
+
+    if (all.wallForce.found(patchName_))
+    {
+        const vectorField& force = all.wallForce[patchName_];
+
+        forAll(force, i)
+        {
+            if (magSqr(force[i]) > 0)
+            {
+                forAll(discs_, probei)
+                {
+                    const patchDisc& disc = discs_[probei];
+
+                    if (disc.contains(all.position[i]))
+                    {
+                        stress[probei] -= (force[i] & disc.normal());
+                    }
+                }
+            }
+        }
+    }
+
+    reduce(stress, sumOp<scalarList>());
+
+    forAll(discs_, i)
+    {
+        stress[i] /= discs_[i].area();
+    }
+
+    return stress;
+}
+
+
+bool Foam::functionObjects::porePressureProbes::execute()
+{
+    const tmp<volScalarField> tp(field<volScalarField>(pName_));
+    const tmp<volScalarField> talpha(field<volScalarField>(alphaName_));
+    const label patchi = mesh_.boundaryMesh().findPatchID(patchName_);
+    const scalarField& pWall = tp().boundaryField()[patchi];
+
+    const scalarList fromGrains(grainStress());
+    const scalar rhoG = rhoWater()*mag(gravity());
+
+    line_.clear();
+
+    forAll(probes_, i)
+    {
+        const scalar p = discs_[i].nearest(pWall);
+        const scalar level = columns_[i].integral(talpha());
+        const scalar sigma = fromGrains[i] + discs_[i].mean(pWall);
+
+        // Next to nothing lies on a base with less than 1 Pa
+        const scalar lambda = sigma > 1 ? discs_[i].mean(pWall)/sigma : 0;
+
+        line_.append
+        (
+            scalarList({p, rhoG*level, p - rhoG*level, level, sigma, lambda})
+        );
+
+        pressure_[i].append(now(), p);
+    }
+
+    return true;
+}
+
+
+bool Foam::functionObjects::porePressureProbes::write()
+{
+    forAll(pressure_, i)
+    {
+        keep(seriesName(i), pressure_[i]);
+    }
+
+    if (writes())
+    {
+        writeLine(file(), line_);
+    }
+
+    return true;
+}
+
+
+bool Foam::functionObjects::porePressureProbes::end()
+{
+    if (!writes())
+    {
+        return true;
+    }
+
+    OFstream& os = extraFile("summary");
+    writeColumns
+    (
+        os,
+        "Peak pressure in Pa and its time; time above " + Foam::name(highShare_)
+      + " of the peak; time from the peak until " + Foam::name(lowShare_)
+      + " of it is left (at most to the end of the run); times in s",
+        {"probe", "peak", "tPeak", "durationHigh", "dissipation"},
+        false
+    );
+
+    forAll(pressure_, i)
+    {
+        const sampleSeries& p = pressure_[i];
+        const label peak = p.peak();
+
+        if (peak >= 0)
+        {
+            const scalar most = p.values()[peak];
+            const scalar when = p.times()[peak];
+
+            writeRow
+            (
+                os,
+                scalarList
+                ({
+                    scalar(i), most, when,
+                    p.durationAbove(highShare_*most),
+                    p.lastAbove(lowShare_*most) - when
+                })
+            );
+        }
+    }
+
+    return true;
+}

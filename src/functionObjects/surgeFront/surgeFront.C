@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the front of a surge is, how fast, how thick.
+
+#include "surgeFront.H"
+
+#include "addToRunTimeSelectionTable.H"
+#include "mathematicalConstants.H"
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(surgeFront, 0);
+    addToRunTimeSelectionTable(functionObject, surgeFront, dictionary);
+}
+}
+
+const Foam::Enum<Foam::functionObjects::surgeFront::frontType>
+Foam::functionObjects::surgeFront::frontNames
+({
+    {frontType::grains, "grains"},
+    {frontType::quantile, "quantile"},
+    {frontType::water, "water"}
+});
+
+const Foam::Enum<Foam::functionObjects::surgeFront::thicknessType>
+Foam::functionObjects::surgeFront::thicknessNames
+({
+    {thicknessType::extent, "extent"},
+    {thicknessType::water, "water"},
+    {thicknessType::mixture, "mixture"}
+});
+
+
+namespace
+{
+
+Foam::scalar sphereVolume(const Foam::scalar d)
+{
+    return Foam::constant::mathematical::pi*d*d*d/6;
+}
+
+} // End anonymous namespace
+
+
+Foam::functionObjects::surgeFront::surgeFront
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    flumeFunctionObject(name, runTime, dict, typeName)
+{
+    read(dict);
+
+    position_ = keptSeries("position");
+    depth_ = keptSeries("depth");
+
+    if (writes())
+    {
+        writeColumns
+        (
+            file(),
+            "Front of the surge; lengths in m, U in m/s",
+            {
+                "xGrains", "xQuantile", "xFarthest", "xWater", "xFront", "U",
+                "hExtent", "hWater", "hMixture", "h", "Fr"
+            }
+        );
+    }
+}
+
+
+bool Foam::functionObjects::surgeFront::read(const dictionary& dict)
+{
+    flumeFunctionObject::read(dict);
+
+    types_ = labelHashSet(dict.lookupOrDefault("types", labelList()));
+    front_ = frontNames.lookupOrDefault("front", dict, frontType::grains);
+    thickness_ = thicknessNames.lookupOrDefault
+    (
+        "thickness",
+        dict,
+        front_ == frontType::water
+      ? thicknessType::water
+      : thicknessType::extent
+    );
+    stripWidth_ = dict.lookupOrDefault<scalar>("stripWidth", 0.05);
+    width_ = dict.lookupOrDefault<scalar>("width", box().span().y());
+    grainThreshold_ = dict.lookupOrDefault<scalar>("grainThreshold", 0);
+    waterThreshold_ = dict.lookupOrDefault<scalar>("waterThreshold", 0.005);
+    headLength_ = dict.lookupOrDefault<scalar>("headLength", 0.3);
+    window_ = dict.lookupOrDefault<scalar>("window", 0.2);
+    reach_ = dict.lookupOrDefault
+    (
+        "reach",
+        Tuple2<scalar, scalar>(-GREAT, GREAT)
+    );
+
+    if (min(min(stripWidth_, width_), min(headLength_, window_)) <= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "stripWidth, width, headLength and window must be above zero,"
+            << " and are " << stripWidth_ << ", " << width_ << ", "
+            << headLength_ << ", " << window_ << exit(FatalIOError);
+    }
+
+    return true;
+}
+
+
+Foam::strips Foam::functionObjects::surgeFront::solidThickness
+(
+    const labelList& chosen
+) const
+{
+    const grainSnapshot& all = grains();
+    strips result(box().min().x(), box().max().x(), stripWidth_);
+
+    for (const label i : chosen)
+    {
+        result.addSphere
+        (
+            frame_.x(all.position[i]),
+            all.d[i]/2,
+            sphereVolume(all.d[i])
+        );
+    }
+
+    result.reduce();
+    result.values() /= stripWidth_*width_;
+    return result;
+}
+
+
+Foam::strips Foam::functionObjects::surgeFront::waterThickness() const
+{
+    const scalarField volume(waterVolume());
+    const pointField& points = mesh_.points();
+    strips result(box().min().x(), box().max().x(), stripWidth_);
+
+    forAll(volume, celli)
+    {
+        scalar low = GREAT;
+        scalar high = -GREAT;
+
+        for (const label pointi : mesh_.cellPoints()[celli])
+        {
+            const scalar x = frame_.x(points[pointi]);
+            low = min(low, x);
+            high = max(high, x);
+        }
+
+        result.addRange(low, high, volume[celli]);
+    }
+
+    result.reduce();
+    result.values() /= stripWidth_*width_;
+    return result;
+}
+
+
+Foam::scalar Foam::functionObjects::surgeFront::extent
+(
+    const labelList& chosen,
+    const scalar x1,
+    const scalar x2
+) const
+{
+    const scalar fine = 0.001;
+    const scalar margin = 0.05;
+
+    const grainSnapshot& all = grains();
+    strips height(box().min().z(), box().max().z(), fine);
+
+    for (const label i : chosen)
+    {
+        const scalar x = frame_.x(all.position[i]);
+
+        if (x >= x1 && x <= x2)
+        {
+            height.addSphere
+            (
+                frame_.z(all.position[i]),
+                all.d[i]/2,
+                sphereVolume(all.d[i])
+            );
+        }
+    }
+
+    height.reduce();
+
+    return
+        (height.quantile(1 - margin) - height.quantile(margin))
+       /(1 - 2*margin);
+}
+
+
+Foam::scalar Foam::functionObjects::surgeFront::meanDiameter
+(
+    const labelList& chosen
+) const
+{
+    scalar d3 = 0;
+    scalar d4 = 0;
+
+    for (const label i : chosen)
+    {
+        const scalar d = grains().d[i];
+        d3 += pow3(d);
+        d4 += pow4(d);
+    }
+
+    reduce(d3, sumOp<scalar>());
+    reduce(d4, sumOp<scalar>());
+
+    return d3 > 0 ? d4/d3 : 0;
+}
+
+
+Foam::scalar Foam::functionObjects::surgeFront::froude
+(
+    const scalar U,
+    const scalar h
+) const
+{
+    return h > SMALL ? U/sqrt(mag(gravity())*h*cosSlope()) : 0;
+}
+
+
+Foam::Tuple2<Foam::scalar, Foam::scalar>
+Foam::functionObjects::surgeFront::period() const
+{
+    Tuple2<scalar, scalar> result(GREAT, -GREAT);
+
+    forAll(position_.times(), i)
+    {
+        const scalar x = position_.values()[i];
+        if (x >= reach_.first() && x <= reach_.second())
+        {
+            result.first() = min(result.first(), position_.times()[i]);
+            result.second() = max(result.second(), position_.times()[i]);
+        }
+    }
+
+    return result;
+}
+
+
+Foam::FixedList<Foam::scalar, 3>
+Foam::functionObjects::surgeFront::overReach() const
+{
+    const Tuple2<scalar, scalar> t(period());
+
+    FixedList<scalar, 3> result;
+    result[0] = position_.slope(t.first(), t.second());
+    result[1] = depth_.mean(t.first(), t.second());
+    result[2] = froude(result[0], result[1]);
+
+    return result;
+}
+
+
+bool Foam::functionObjects::surgeFront::execute()
+{
+    const labelList chosen(ofTypes(grains(), types_));
+    const scalar d = meanDiameter(chosen);
+    const strips solid(solidThickness(chosen));
+    const strips water(waterThickness());
+
+    scalar farthest = box().min().x();
+    for (const label i : chosen)
+    {
+        farthest = max(farthest, frame_.x(grains().position[i]));
+    }
+    reduce(farthest, maxOp<scalar>());
+
+    const scalar xGrains = solid.farthest
+    (
+        grainThreshold_ > 0 ? grainThreshold_ : max(d/10, SMALL)
+    );
+    const scalar xQuantile = solid.quantile(0.99);
+    const scalar xWater = water.farthest(waterThreshold_);
+
+    // Water alone can make a surge
+    const frontType front = d > 0 ? front_ : frontType::water;
+    const thicknessType thickness = d > 0 ? thickness_ : thicknessType::water;
+
+    const scalar x =
+        front == frontType::grains ? xGrains
+      : front == frontType::quantile ? xQuantile
+      : xWater;
+
+    const scalar hExtent = extent(chosen, x - headLength_, x);
+    const scalar hWater = water.mean(x - headLength_, x);
+    const scalar hMixture = hWater + solid.mean(x - headLength_, x);
+
+    const scalar h =
+        thickness == thicknessType::extent ? hExtent
+      : thickness == thicknessType::water ? hWater
+      : hMixture;
+
+    position_.append(now(), x);
+    depth_.append(now(), h);
+
+    const scalar U = position_.lastSlope(window_);
+
+    line_ =
+    {
+        xGrains, xQuantile, farthest, xWater, x, U,
+        hExtent, hWater, hMixture, h, froude(U, h)
+    };
+
+    const FixedList<scalar, 3> reached(overReach());
+    setResult("x", x);
+    setResult("U", reached[0]);
+    setResult("h", reached[1]);
+    setResult("Fr", reached[2]);
+
+    Log << type() << " " << name() << ": x " << x << " m, U " << U
+        << " m/s, h " << h << " m, Fr " << line_.last() << nl << endl;
+
+    return true;
+}
+
+
+bool Foam::functionObjects::surgeFront::write()
+{
+    keep("position", position_);
+    keep("depth", depth_);
+
+    if (writes())
+    {
+        writeLine(file(), line_);
+    }
+
+    return true;
+}
+
+
+bool Foam::functionObjects::surgeFront::end()
+{
+    const Tuple2<scalar, scalar> t(period());
+
+    if (writes() && t.first() < t.second())
+    {
+        const FixedList<scalar, 3> values(overReach());
+
+        OFstream& os = extraFile("summary");
+        writeColumns
+        (
+            os,
+            "Means while the front is within the reach "
+          + Foam::name(reach_.first()) + " to " + Foam::name(reach_.second())
+          + " m",
+            {"tBegin", "tEnd", "U", "h", "Fr"},
+            false
+        );
+        writeRow
+        (
+            os,
+            scalarList
+            ({t.first(), t.second(), values[0], values[1], values[2]})
+        );
+    }
+
+    return true;
+}
