@@ -71,11 +71,11 @@ TEST(dragSelection, aWrongChoiceListsTheValidOnes)
 {
     expectError<dragModel>
     (
-        "model DiFelice; formulation B;", {"modelA", "asPrinted"}
+        "model DiFelice; formulation B;", {"formulation", "modelA", "asPrinted"}
     );
     expectError<dragModel>
     (
-        "model Gidaspow; transition soft;", {"sharp", "smooth"}
+        "model Gidaspow; transition soft;", {"transition", "sharp", "smooth"}
     );
 }
 
@@ -167,5 +167,26 @@ TEST(dragSelection, theBaseTakesItsOwnSettings)
     (
         blend->K(someState()),
         law<dragModel>("model DiFelice;")->K(someState())
+    );
+}
+
+
+TEST(dragSelection, baseSettingsWithoutABaseAreRefused)
+{
+    expectError<dragModel>
+    (
+        "model KochHill; baseSettings { formulation asPrinted; }",
+        {"base", "missing"}
+    );
+}
+
+
+TEST(dragSelection, theBaseSettingsHoldOnlyTheBasesOwn)
+{
+    expectError<dragModel>
+    (
+        "model KochHill; base DiFelice; strength 0.5;"
+        "baseSettings { strength 0.5; }",
+        {"Unknown keyword strength", "baseSettings", "formulation"}
     );
 }

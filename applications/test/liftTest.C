@@ -55,6 +55,7 @@ TEST(lift, wrongInputListsWhatIsValid)
     expectError<liftModel>("model Lun;", {"Lun", "LunLiu", "SaffmanMei"});
     expectError<liftModel>("", {"model", "missing", "none"});
     expectError<liftModel>("model LunLiu; force 1;", {"force", "strength"});
+    expectError<liftModel>("model LunLiu; base none;", {"keyword base"});
     expectError<liftModel>("model LunLiu; strength 2;", {"strength"});
     expectError<liftModel>("model Lun; strength 0;", {"Lun", "LunLiu"});
 }

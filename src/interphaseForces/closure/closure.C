@@ -3,8 +3,23 @@
 
 #include "closure.H"
 #include "error.H"
-#include "ListOps.H"
-#include "wordList.H"
+
+namespace
+{
+
+//- Words in one line, for a person to read
+std::string listed(const Foam::wordList& words)
+{
+    std::string line;
+    for (const Foam::word& word : words)
+    {
+        line += ' ' + word;
+    }
+    return words.empty() ? " none" : line;
+}
+
+} // End anonymous namespace
+
 
 Foam::scalar Foam::closure::strength(const dictionary& dict)
 {
@@ -22,22 +37,36 @@ Foam::scalar Foam::closure::strength(const dictionary& dict)
 }
 
 
+Foam::dictionary Foam::closure::without
+(
+    const dictionary& dict,
+    const wordList& keywords
+)
+{
+    dictionary rest(dict);
+    for (const word& keyword : keywords)
+    {
+        rest.remove(keyword);
+    }
+    return rest;
+}
+
+
 void Foam::closure::checkKeywords
 (
     const dictionary& dict,
-    std::initializer_list<word> own
+    const wordList& own
 )
 {
-    wordList valid(own);
-    valid.append(wordList({"model", "strength", "base", "baseSettings"}));
-
     for (const word& keyword : dict.toc())
     {
-        if (!valid.found(keyword))
+        if (!own.found(keyword))
         {
             FatalIOErrorInFunction(dict)
                 << "Unknown keyword " << keyword << " in " << dict.name()
-                << nl << "Valid keywords here: " << flatOutput(valid)
+                << nl << "Settings of this law:" << listed(own).c_str() << nl
+                << "Beside them, where the law is chosen: model strength"
+                << " (for drag also: base baseSettings)"
                 << exit(FatalIOError);
         }
     }
@@ -48,16 +77,16 @@ Foam::word Foam::closure::validName
 (
     const dictionary& dict,
     const word& keyword,
-    const word& family,
+    const string& what,
     const wordList& valid
 )
 {
     if (!dict.found(keyword))
     {
         FatalIOErrorInFunction(dict)
-            << "The keyword " << keyword << ", which names a " << family
-            << " law, is missing in " << dict.name() << nl
-            << "Valid names: " << flatOutput(valid)
+            << "The keyword " << keyword << ", which names a " << what.c_str()
+            << ", is missing in " << dict.name() << nl
+            << "Valid names:" << listed(valid).c_str()
             << exit(FatalIOError);
     }
 
@@ -66,9 +95,9 @@ Foam::word Foam::closure::validName
     if (!valid.found(name))
     {
         FatalIOErrorInFunction(dict)
-            << "There is no " << family << " law named " << name
-            << " (keyword " << keyword << " in " << dict.name() << ")" << nl
-            << "Valid names: " << flatOutput(valid)
+            << "There is no " << what.c_str() << " named " << name
+            << " (keyword " << keyword << " in " << dict.name() << ')' << nl
+            << "Valid names:" << listed(valid).c_str()
             << exit(FatalIOError);
     }
 

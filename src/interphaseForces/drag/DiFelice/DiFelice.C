@@ -27,9 +27,9 @@ Foam::DiFelice::DiFelice(const dictionary& dict)
 :
     formulation_
     (
-        formulationNames.getOrDefault
+        closure::choose
         (
-            "formulation", dict, formulations::modelA
+            dict, "formulation", formulationNames, formulations::modelA
         )
     )
 {

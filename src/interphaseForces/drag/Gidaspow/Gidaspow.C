@@ -26,7 +26,10 @@ Foam::Gidaspow::Gidaspow(const dictionary& dict)
 :
     transition_
     (
-        transitionNames.getOrDefault("transition", dict, transitions::sharp)
+        closure::choose
+        (
+            dict, "transition", transitionNames, transitions::sharp
+        )
     )
 {
     closure::checkKeywords(dict, {"transition"});

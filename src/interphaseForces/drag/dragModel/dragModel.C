@@ -14,10 +14,26 @@ namespace Foam
 
 Foam::autoPtr<Foam::dragModel> Foam::dragModel::New(const dictionary& dict)
 {
-    autoPtr<dragModel> model(closure::select<dragModel>(dict, "model", dict));
+    autoPtr<dragModel> model
+    (
+        closure::select<dragModel>
+        (
+            dict,
+            "model",
+            closure::without
+            (
+                dict, {"model", "strength", "base", "baseSettings"}
+            )
+        )
+    );
     const scalar strength = closure::strength(dict);
 
-    if (strength == 1 && !dict.found("base"))
+    if
+    (
+        strength == 1
+     && !dict.found("base")
+     && !dict.found("baseSettings")
+    )
     {
         return model;
     }

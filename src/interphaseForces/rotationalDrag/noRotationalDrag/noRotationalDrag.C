@@ -8,7 +8,12 @@
 namespace Foam
 {
     defineTypeNameAndDebug(noRotationalDrag, 0);
-    addToRunTimeSelectionTable(rotationalDragModel, noRotationalDrag, dictionary);
+    addToRunTimeSelectionTable
+    (
+        rotationalDragModel,
+        noRotationalDrag,
+        dictionary
+    );
 }
 
 

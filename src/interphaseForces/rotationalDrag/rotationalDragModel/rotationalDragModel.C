@@ -16,5 +16,12 @@ namespace Foam
 Foam::autoPtr<Foam::rotationalDragModel>
 Foam::rotationalDragModel::New(const dictionary& dict)
 {
-    return closure::selectScaled<rotationalDragModel, scaledRotationalDrag, noRotationalDrag>(dict);
+    return
+        closure::selectScaled
+        <
+            rotationalDragModel,
+            scaledRotationalDrag,
+            noRotationalDrag
+        >
+        (dict);
 }

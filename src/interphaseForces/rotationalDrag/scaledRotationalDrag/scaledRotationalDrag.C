@@ -14,7 +14,8 @@ Foam::scaledRotationalDrag::scaledRotationalDrag
 {}
 
 
-Foam::scalar Foam::scaledRotationalDrag::coefficient(const grainState& state) const
+Foam::scalar
+Foam::scaledRotationalDrag::coefficient(const grainState& state) const
 {
     return strength_*model_->coefficient(state);
 }

@@ -14,7 +14,8 @@ Foam::scaledVirtualMass::scaledVirtualMass
 {}
 
 
-Foam::scalar Foam::scaledVirtualMass::coefficient(const grainState& state) const
+Foam::scalar
+Foam::scaledVirtualMass::coefficient(const grainState& state) const
 {
     return strength_*model_->coefficient(state);
 }

@@ -16,5 +16,12 @@ namespace Foam
 Foam::autoPtr<Foam::virtualMassModel>
 Foam::virtualMassModel::New(const dictionary& dict)
 {
-    return closure::selectScaled<virtualMassModel, scaledVirtualMass, noVirtualMass>(dict);
+    return
+        closure::selectScaled
+        <
+            virtualMassModel,
+            scaledVirtualMass,
+            noVirtualMass
+        >
+        (dict);
 }
