@@ -60,7 +60,7 @@ bool Foam::functionObjects::bedErosion::read(const dictionary& dict)
     layerRange_ = dict.lookupOrDefault("layerRange", depthRange_);
     rateWindow_ = dict.lookupOrDefault<scalar>("rateWindow", 0.1);
     xStart_ = dict.lookupOrDefault<scalar>("xStart", 0.6);
-    smoothing_ = dict.lookupOrDefault<scalar>("smoothing", 0.1);
+    smoothing_ = dict.lookupOrDefault<scalar>("smoothing", 0.05);
     threshold_ = dict.lookupOrDefault<scalar>("threshold", 0.001);
     onset_ = dict.lookupOrDefault<scalar>("onset", 0.001);
     attenuation_ = dict.lookupOrDefault<scalar>("attenuation", 0.05);

@@ -144,18 +144,25 @@ Foam::scalar Foam::corePacking
         nStrips += (v >= enough);
     }
 
-    // A bed too thin to have a core is taken as it is
-    scalar low = height.quantile(0.01);
-    scalar high = height.quantile(0.99);
-    if (high - low > 3*d)
+    // Grains lie in layers near the base. Weights that rise over a diameter
+    // from either end do not see where in a layer they begin
+    const scalar low = height.quantile(0.01);
+    const scalar high = height.quantile(0.99);
+    scalar solid = 0;
+    scalar thickness = 0;
+
+    forAll(height.values(), i)
     {
-        low += d;
-        high -= d;
+        const scalar inside =
+            min(height.centre(i) - low, high - height.centre(i));
+        const scalar weight = max(min(inside/d, scalar(1)), scalar(0));
+
+        solid += weight*height.values()[i];
+        thickness += weight*height.width();
     }
 
     return
-        height.mean(low, high)
-       /(height.width()*flumeWidth*nStrips*along.width());
+        solid/max(thickness, VSMALL)/(flumeWidth*nStrips*along.width());
 }
 
 

@@ -3,6 +3,8 @@
 
 #include "erosionPhases.H"
 
+#include "DynamicList.H"
+
 Foam::erosionExtent::erosionExtent
 (
     const strips& depth,
@@ -15,32 +17,40 @@ Foam::erosionExtent::erosionExtent
     eroded(0),
     deposited(0)
 {
-    bool inside = false;
-    bool ended = false;
+    DynamicList<scalar> x;
+    DynamicList<scalar> h;
 
     forAll(depth.values(), i)
     {
         const scalar right = depth.start() + (i + 1)*depth.width();
         const scalar width = min(depth.width(), right - start);
 
-        if (width <= SMALL*depth.width())
+        if (width > 0)
         {
-            continue;
+            h.append(depth.values()[i]);
+            x.append(max(depth.centre(i), start));
+
+            eroded += max(h.last(), scalar(0))*width;
+            deposited += max(-h.last(), scalar(0))*width;
         }
+    }
 
-        const scalar h = depth.values()[i];
-        const bool deep = h > threshold;
+    length = sampleSeries(x, h).durationAbove(threshold);
 
-        eroded += max(h, scalar(0))*width;
-        deposited += max(-h, scalar(0))*width;
-        length += deep ? width : 0;
-
-        if (deep && !ended)
+    // The first crossing from above to below
+    for (label i = 1; i < x.size(); ++i)
+    {
+        if (h[i - 1] > threshold)
         {
-            inside = true;
-            end = right;
+            end = x[i];
+
+            if (h[i] <= threshold)
+            {
+                const scalar share = (h[i - 1] - threshold)/(h[i - 1] - h[i]);
+                end = x[i - 1] + share*(x[i] - x[i - 1]);
+                break;
+            }
         }
-        ended = ended || (inside && !deep);
     }
 }
 

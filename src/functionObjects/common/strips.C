@@ -141,15 +141,10 @@ Foam::scalar Foam::strips::farthest(const scalar threshold) const
     {
         if (values_[i] >= threshold)
         {
-            if (i == size() - 1)
-            {
-                return end();
-            }
+            const scalar before = i ? values_[i - 1] : values_[i];
+            const scalar filled = values_[i]/max(before, VSMALL);
 
-            const scalar drop = values_[i] - values_[i + 1];
-            return
-                centre(i)
-              + width_*(values_[i] - threshold)/max(drop, VSMALL);
+            return start_ + (i + min(filled, scalar(1)))*width_;
         }
     }
 

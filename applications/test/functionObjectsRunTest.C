@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Function objects on a mesh, live and on written grains.
+
+#include "bedErosion.H"
+#include "collisionLoad.H"
+#include "grainStress.H"
+#include "massBalance.H"
+#include "porePressureProbes.H"
+#include "standingGrains.H"
+#include "surgeFront.H"
+#include "testMesh.H"
+
+#include "IFstream.H"
+#include "IStringStream.H"
+#include "OFstream.H"
+#include "OSspecific.H"
+#include "mathematicalConstants.H"
+#include "surfaceFields.H"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+using namespace Foam;
+
+namespace
+{
+
+//- A level tank of 1 m, half full of water, with a few grains in it
+class tank
+:
+    public testing::Test
+{
+protected:
+
+    testMesh box_;
+
+    volScalarField alpha_;
+
+    volScalarField voidFraction_;
+
+    volScalarField p_;
+
+    surfaceScalarField alphaPhi_;
+
+    standingGrains grains_;
+
+    volScalarField field(const word& name, const scalar value)
+    {
+        return volScalarField
+        (
+            IOobject(name, box_.time().timeName(), box_.mesh()),
+            box_.mesh(),
+            dimensionedScalar(dimless, Zero) + value
+        );
+    }
+
+    tank()
+    :
+        alpha_(field("alpha.water", 0)),
+        voidFraction_(field("voidFraction", 0.8)),
+        p_(field("p", 4905)),
+        alphaPhi_
+        (
+            IOobject("alphaPhi", box_.time().timeName(), box_.mesh()),
+            box_.mesh(),
+            dimensionedScalar(dimVolume/dimTime, Zero)
+        ),
+        grains_(box_.mesh())
+    {
+        mkDir(box_.folder()/"constant");
+        OFstream(box_.folder()/"constant"/"g")()
+            << "FoamFile { version 2.0; format ascii;"
+            << " class uniformDimensionedVectorField; object g; }\n"
+            << "dimensions [0 1 -2 0 0 0 0]; value (0 0 -9.81);\n";
+
+        forAll(alpha_, i)
+        {
+            alpha_[i] = box_.mesh().C()[i].z() < 0.5 ? 1 : 0;
+        }
+
+        placeGrains();
+    }
+
+    //- A hundred grains of 20 mm at rest on the base, at z = 10 mm
+    void placeGrains()
+    {
+        grainSnapshot& g = grains_.grains;
+        g = grainSnapshot(100);
+        grains_.radii.setSize(100, 0.01);
+        vectorField wall(100, vector(0, 0, 2));
+
+        forAll(g.id, i)
+        {
+            g.id[i] = i;
+            g.type[i] = 1;
+            g.d[i] = 0.02;
+            g.mass[i] = 0.5;
+            g.position[i] =
+                vector(0.05 + 0.1*(i % 10), 0.05 + 0.1*(i/10), 0.01);
+            g.contactForce[i] = vector(3, 0, 4);
+            g.stressMoment[i] = symmTensor(-1, 0, 0, -1, 0, -1);
+        }
+        g.wallForce.insert("zMin", wall);
+    }
+
+    dictionary dict(const string& entries) const
+    {
+        return dictionary(IStringStream(entries + " rhoWater 1000; log no;")());
+    }
+
+    //- Numbers of the last line of a file of the start time
+    scalarList lastLine(const word& object, const word& file) const
+    {
+        std::ifstream is
+        (
+            box_.folder()/"postProcessing"/object/"0"/(file + ".dat")
+        );
+        std::string line;
+        std::string last;
+        while (std::getline(is, line))
+        {
+            last = line.empty() || line[0] == '#' ? last : line;
+        }
+
+        DynamicList<scalar> numbers;
+        std::istringstream words(last);
+        for (double x; words >> x;)
+        {
+            numbers.append(x);
+        }
+        return scalarList(std::move(numbers));
+    }
+};
+
+} // End anonymous namespace
+
+
+TEST_F(tank, waterAtRestHasNoExcessPressure)
+{
+    functionObjects::porePressureProbes probes
+    (
+        "probes",
+        box_.time(),
+        dict("probes ((0.45 0.45 0)); patch zMin; radius 0.31;")
+    );
+    probes.execute();
+    probes.write();
+
+    const scalarList line(lastLine("probes", "porePressureProbes"));
+    ASSERT_EQ(line.size(), 7);
+    EXPECT_NEAR(line[1], 4905, 1e-3);
+    EXPECT_NEAR(line[2], 1000*9.81*0.5, 1e-3);
+    EXPECT_NEAR(line[3], 0, 1e-2);
+    EXPECT_NEAR(line[4], 0.5, 1e-6);
+
+    // 29 grains press with 2 N each on the disc
+    const scalar area = constant::mathematical::pi*sqr(0.31);
+    EXPECT_NEAR(line[5] - 4905, 29*2/area, 0.01*29*2/area);
+    EXPECT_NEAR(line[6], 4905/line[5], 1e-5);
+}
+
+
+TEST_F(tank, aProbeFarFromThePatchIsAnError)
+{
+    EXPECT_THROW
+    (
+        functionObjects::porePressureProbes
+        (
+            "probes",
+            box_.time(),
+            dict("probes ((0.4 0.4 0.5)); patch zMin;")
+        ),
+        Foam::IOerror
+    );
+    EXPECT_THROW
+    (
+        functionObjects::porePressureProbes
+        (
+            "probes", box_.time(), dict("probes ((0 0 0)); patch floor;")
+        ),
+        Foam::IOerror
+    );
+}
+
+
+TEST_F(tank, outflowIsCountedInTheWaterBalance)
+{
+    functionObjects::massBalance balance("balance", box_.time(), dict(""));
+
+    // Per step 0.01 s: 0.2 m3/s leave through each of the faces of zMin
+    const label base = box_.mesh().boundaryMesh().findPatchID("zMin");
+    alphaPhi_.boundaryFieldRef()[base] = 0.2;
+    box_.time().setDeltaT(0.01, false);
+
+    const scalar out = 16*0.2*0.01;
+    for (label step = 0; step < 3; ++step)
+    {
+        ++box_.time();
+        alpha_ -= dimensionedScalar(dimless, Zero) + out/0.8;
+        grains_.left += 2;
+        balance.execute();
+    }
+    balance.write();
+
+    const scalarList line(lastLine("balance", "massBalance"));
+    ASSERT_EQ(line.size(), 9);
+    EXPECT_NEAR(line[2], 3*out, 1e-6);
+    EXPECT_NEAR(line[3], 0, 1e-14);
+    EXPECT_EQ(line[7], 6);
+
+    // No grain is gone from the list, so six are too many
+    EXPECT_EQ(line[8], -6);
+}
+
+
+TEST_F(tank, aStepThatTheWaterBalanceMissesIsAnError)
+{
+    functionObjects::massBalance balance("balance", box_.time(), dict(""));
+    ++box_.time();
+    balance.execute();
+    ++box_.time();
+    ++box_.time();
+    EXPECT_THROW(balance.execute(), Foam::error);
+}
+
+
+TEST_F(tank, oneSnapshotServesAllFunctionObjectsOfATime)
+{
+    functionObjects::surgeFront front("front", box_.time(), dict(""));
+    functionObjects::collisionLoad load
+    (
+        "load",
+        box_.time(),
+        dict("types (1); range (0 1); window (0 1); surgeFront front;")
+    );
+
+    ++box_.time();
+    front.execute();
+    load.execute();
+    front.write();
+    load.write();
+    EXPECT_EQ(grains_.nSnapshots, 1);
+
+    ++box_.time();
+    load.execute();
+    EXPECT_EQ(grains_.nSnapshots, 2);
+}
+
+
+TEST_F(tank, thePointLoadIsTheMeanMagnitudeOfForce)
+{
+    functionObjects::collisionLoad load
+    (
+        "load",
+        box_.time(),
+        dict("types (1); range (0.2 0.4); window (0 1);")
+    );
+    load.execute();
+    load.write();
+    load.end();
+
+    const scalarList line(lastLine("load", "collisionLoad"));
+    ASSERT_EQ(line.size(), 4);
+    EXPECT_NEAR(line[1], 5, 1e-6);
+    EXPECT_EQ(line[3], 20);
+    EXPECT_NEAR(lastLine("load", "summary")[0], 5, 1e-6);
+}
+
+
+TEST_F(tank, aMovingFrontHasItsVelocityAndFroudeNumber)
+{
+    functionObjects::surgeFront front
+    (
+        "front",
+        box_.time(),
+        dict("stripWidth 0.1; headLength 0.3; grainThreshold 1e-4;")
+    );
+
+    grains_.grains.position *= 0.5;
+    box_.time().setDeltaT(0.01, false);
+    for (label step = 0; step < 5; ++step)
+    {
+        ++box_.time();
+        for (vector& p : grains_.grains.position)
+        {
+            p.x() += 0.1;
+        }
+        front.execute();
+    }
+    front.write();
+
+    const scalarList line(lastLine("front", "surgeFront"));
+    ASSERT_EQ(line.size(), 12);
+    EXPECT_NEAR(line[6], 10, 1e-3);
+    EXPECT_NEAR(line[11], line[6]/Foam::sqrt(9.81*line[10]), 1e-3);
+}
+
+
+TEST_F(tank, grainsTakenAwayAreErosionAgainstTheStart)
+{
+    const string entries
+    (
+        "bedTypes (1); depthRange (0.2 0.4); rateRange (0.2 0.4);"
+        " xStart 0; packing 0.5; planWidth 0.1;"
+    );
+    const scalar V = 100*constant::mathematical::pi*pow3(0.02)/6;
+
+    {
+        functionObjects::bedErosion erosion("bed", box_.time(), dict(entries));
+        grains_.grains.d /= Foam::cbrt(2.0);
+        ++box_.time();
+        erosion.execute();
+        erosion.write();
+
+        const scalarList line(lastLine("bed", "bedErosion"));
+        ASSERT_EQ(line.size(), 14);
+        EXPECT_NEAR(line[1], V/2/0.5, 1e-8);
+        EXPECT_NEAR(line[13], V/2, 1e-8);
+    }
+
+    // A run that goes on measures against the same start
+    functionObjects::bedErosion again("bed", box_.time(), dict(entries));
+    ++box_.time();
+    again.execute();
+    again.end();
+    const scalarList summary(lastLine("bed", "summary"));
+    ASSERT_EQ(summary.size(), 8);
+    EXPECT_NEAR(summary[0], V/2/0.5, 1e-8);
+}
+
+
+TEST_F(tank, aBedWithoutGrainsIsAnError)
+{
+    EXPECT_THROW
+    (
+        functionObjects::bedErosion("bed", box_.time(), dict("bedTypes (7);")),
+        Foam::error
+    );
+    EXPECT_THROW
+    (
+        functionObjects::bedErosion("bed", box_.time(), dict("")),
+        Foam::IOerror
+    );
+}
+
+
+TEST_F(tank, meanStressIsTheSumOfMomentsOverTheVolume)
+{
+    functionObjects::grainStress stress
+    (
+        "stress",
+        box_.time(),
+        dict("boxes (((0 0 0) (0.5 1 0.1)));")
+    );
+    stress.write();
+
+    const scalarList line(lastLine("stress", "grainStress"));
+    ASSERT_EQ(line.size(), 11);
+    EXPECT_EQ(line[1], 50);
+    EXPECT_NEAR(line[3], -50/0.05, 1e-3);
+    EXPECT_NEAR(line[9], 50/0.05, 1e-3);
+    EXPECT_NEAR(line[10], 0, 1e-9);
+}
