@@ -68,6 +68,13 @@ Foam::functionObjects::basalStress::basalStress
 bool Foam::functionObjects::basalStress::read(const dictionary& dict)
 {
     flumeFunctionObject::read(dict);
+    checkKeys
+    (
+        dict,
+        {
+            "patches", "direction", "binWidth", "p", "U"
+        }
+    );
 
     const wordRes names(dict.get<wordRes>("patches"));
     patches_ = mesh_.boundaryMesh().patchSet(names).sortedToc();
@@ -311,6 +318,11 @@ bool Foam::functionObjects::basalStress::execute()
 
 bool Foam::functionObjects::basalStress::write()
 {
+    if (passOver({pName_, alphaName_, voidFractionName_}))
+    {
+        return true;
+    }
+
     const List<scalarList> lines(stresses());
 
     if (writes())

@@ -49,6 +49,16 @@ Foam::functionObjects::bedErosion::bedErosion
 bool Foam::functionObjects::bedErosion::read(const dictionary& dict)
 {
     flumeFunctionObject::read(dict);
+    checkKeys
+    (
+        dict,
+        {
+            "bedTypes", "stripWidth", "planWidth", "width", "packing",
+            "depthRange", "rateRange", "layerRange", "rateWindow", "xStart",
+            "smoothing", "threshold", "onset", "attenuation",
+            "bouncingSpeed", "creepingSpeed", "nFarthest"
+        }
+    );
 
     types_ = labelHashSet(dict.get<labelList>("bedTypes"));
     stripWidth_ = dict.lookupOrDefault<scalar>("stripWidth", 0.01);
@@ -120,6 +130,37 @@ void Foam::functionObjects::bedErosion::writeHeaders()
             "creeping", "Ucreeping", "nCreeping",
             "stationary", "Ustationary", "nStationary"
         }
+    );
+
+    writeColumns
+    (
+        extraFile("summary"),
+        "So far: H, L and Lc in m; phases in s (-1: not reached); peak rate"
+        " and mean velocity of the eroded material during net erosion in m/s",
+        {"H", "L", "Lc", "netStart", "netEnd", "peakRate", "peakTime", "Ue"}
+    );
+}
+
+
+void Foam::functionObjects::bedErosion::writeSummary()
+{
+    const erosionPhases phases(depth_, rate_, onset_, attenuation_);
+    const auto reached = [](const scalar t) { return t < GREAT/2 ? t : -1; };
+
+    writeLine
+    (
+        extraFile("summary"),
+        scalarList
+        ({
+            line_[0],
+            line_[3],
+            line_[5],
+            reached(phases.netStart),
+            reached(phases.netEnd),
+            phases.peakRate,
+            reached(phases.peakTime),
+            UEroded_.mean(phases.netStart, phases.netEnd)
+        })
     );
 }
 
@@ -249,6 +290,19 @@ Foam::functionObjects::bedErosion::carried(const bedGrains& bed) const
 bool Foam::functionObjects::bedErosion::execute()
 {
     const bedGrains grains(bed());
+    line_.clear();
+
+    if
+    (
+        functionObject::postProcess
+     && !returnReduce(grains.size(), sumOp<label>())
+    )
+    {
+        Info<< type() << " " << name() << ": time " << mesh_.time().timeName()
+            << " is passed over, it has no grains of the bed" << endl;
+        return true;
+    }
+
     refer(grains);
 
     const strips depth(erosionDepth(grains));
@@ -439,6 +493,11 @@ void Foam::functionObjects::bedErosion::writeVelocities
 
 bool Foam::functionObjects::bedErosion::write()
 {
+    if (line_.empty())
+    {
+        return true;
+    }
+
     keep("depth", depth_);
     keep("rate", rate_);
     keep("UEroded", UEroded_);
@@ -447,6 +506,7 @@ bool Foam::functionObjects::bedErosion::write()
     {
         writeLine(file(), line_);
         writeLine(extraFile("layers"), layerLine_);
+        writeSummary();
     }
 
     if (functionObject::postProcess || mesh_.time().writeTime())
@@ -457,47 +517,6 @@ bool Foam::functionObjects::bedErosion::write()
         writePlanView(grains);
         writeVelocities(grains);
     }
-
-    return true;
-}
-
-
-bool Foam::functionObjects::bedErosion::end()
-{
-    if (!writes() || line_.empty())
-    {
-        return true;
-    }
-
-    const erosionPhases phases(depth_, rate_, onset_, attenuation_);
-
-    OFstream& os = extraFile("summary");
-    writeColumns
-    (
-        os,
-        "Final H, L and Lc in m; phases in s (-1: not reached); peak rate and"
-        " mean velocity of the eroded material in the net erosion phase in m/s",
-        {"H", "L", "Lc", "netStart", "netEnd", "peakRate", "peakTime", "Ue"},
-        false
-    );
-
-    const auto reached = [](const scalar t) { return t < GREAT/2 ? t : -1; };
-
-    writeRow
-    (
-        os,
-        scalarList
-        ({
-            line_[0],
-            line_[3],
-            line_[5],
-            reached(phases.netStart),
-            reached(phases.netEnd),
-            phases.peakRate,
-            reached(phases.peakTime),
-            UEroded_.mean(phases.netStart, phases.netEnd)
-        })
-    );
 
     return true;
 }

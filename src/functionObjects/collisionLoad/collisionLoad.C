@@ -36,20 +36,71 @@ Foam::functionObjects::collisionLoad::collisionLoad
 
     if (writes())
     {
-        writeColumns
-        (
-            file(),
-            "Contact forces of grains in the range: mean and greatest"
-            " magnitude in N, number of grains",
-            {"Fc", "FcMax", "n"}
-        );
+        writeHeaders();
     }
+}
+
+
+void Foam::functionObjects::collisionLoad::writeHeaders()
+{
+    writeColumns
+    (
+        file(),
+        "Contact forces of grains in the range: mean and greatest magnitude"
+        " in N, number of grains",
+        {"Fc", "FcMax", "n"}
+    );
+
+    writeColumns
+    (
+        extraFile("summary"),
+        "So far: point load Fc in N (Eq 14), mass M in kg, thickness h in m,"
+        " Fr, impact energy E in J (Eq 15; 0: not known)",
+        {"Fc", "M", "h", "Fr", "E"}
+    );
+}
+
+
+void Foam::functionObjects::collisionLoad::writeSummary()
+{
+    scalar h = 0;
+    scalar Fr = 0;
+
+    if
+    (
+        surgeFront_.size()
+     && !(
+            getObjectResult(surgeFront_, "h", h)
+         && getObjectResult(surgeFront_, "Fr", Fr)
+        )
+    )
+    {
+        WarningInFunction
+            << type() << " " << name() << ": no results of surgeFront "
+            << surgeFront_ << ", so no impact energy. Give the name of a"
+            << " surgeFront that stands before this in the functions." << endl;
+    }
+
+    const scalar E = mass_*mag(gravity())*h*(1 + sqr(Fr)/2);
+
+    writeLine
+    (
+        extraFile("summary"),
+        scalarList({pointLoad(), mass_, h, Fr, E})
+    );
 }
 
 
 bool Foam::functionObjects::collisionLoad::read(const dictionary& dict)
 {
     flumeFunctionObject::read(dict);
+    checkKeys
+    (
+        dict,
+        {
+            "types", "range", "window", "surgeFront", "mass"
+        }
+    );
 
     types_ = labelHashSet(dict.get<labelList>("types"));
     range_ =
@@ -159,46 +210,7 @@ bool Foam::functionObjects::collisionLoad::write()
     if (writes())
     {
         writeLine(file(), line_);
-    }
-
-    return true;
-}
-
-
-bool Foam::functionObjects::collisionLoad::end()
-{
-    scalar h = 0;
-    scalar Fr = 0;
-
-    if
-    (
-        surgeFront_.size()
-     && !(
-            getObjectResult(surgeFront_, "h", h)
-         && getObjectResult(surgeFront_, "Fr", Fr)
-        )
-    )
-    {
-        WarningInFunction
-            << type() << " " << name() << ": no results of surgeFront "
-            << surgeFront_ << ", so no impact energy. Give the name of a"
-            << " surgeFront among the functions of this run." << endl;
-    }
-
-    if (writes())
-    {
-        OFstream& os = extraFile("summary");
-        writeColumns
-        (
-            os,
-            "Point load Fc in N (Eq 14), mass M in kg, thickness h in m, Fr,"
-            " impact energy E in J (Eq 15; 0: not known)",
-            {"Fc", "M", "h", "Fr", "E"},
-            false
-        );
-
-        const scalar E = mass_*mag(gravity())*h*(1 + sqr(Fr)/2);
-        writeRow(os, scalarList({pointLoad(), mass_, h, Fr, E}));
+        writeSummary();
     }
 
     return true;

@@ -15,6 +15,27 @@ namespace functionObjects
 }
 
 
+namespace
+{
+
+//- Keys of OpenFOAM's function objects, and those that all of ours have
+const Foam::wordHashSet commonKeys
+({
+    "type", "libs", "functionObjectLibs", "enabled", "log", "errors",
+    "region", "subRegion", "field", "fields",
+    "timeStart", "timeEnd", "triggerStart", "triggerEnd", "controlMode",
+    "deltaTCoeff", "nStepsToStartTimeChange",
+    "executeControl", "executeInterval", "executeFrequency",
+    "writeControl", "writeInterval", "writeFrequency",
+    "outputControl", "outputInterval", "outputFrequency",
+    "writePrecision", "writeToFile", "useUserTime",
+    "origin", "downslope", "normal",
+    "alpha", "voidFraction", "rhoWater"
+});
+
+} // End anonymous namespace
+
+
 Foam::functionObjects::flumeFunctionObject::flumeFunctionObject
 (
     const word& name,
@@ -44,6 +65,25 @@ bool Foam::functionObjects::flumeFunctionObject::read(const dictionary& dict)
 }
 
 
+void Foam::functionObjects::flumeFunctionObject::checkKeys
+(
+    const dictionary& dict,
+    const wordList& own
+) const
+{
+    for (const word& key : dict.toc())
+    {
+        if (!commonKeys.found(key) && !own.found(key))
+        {
+            FatalIOErrorInFunction(dict)
+                << type() << " " << name() << " knows no key " << key << "."
+                << " Valid choices, beside those of every function object: "
+                << own << exit(FatalIOError);
+        }
+    }
+}
+
+
 const Foam::grainSnapshot&
 Foam::functionObjects::flumeFunctionObject::grains() const
 {
@@ -68,6 +108,31 @@ Foam::labelList Foam::functionObjects::flumeFunctionObject::ofTypes
     }
 
     return chosen;
+}
+
+
+bool Foam::functionObjects::flumeFunctionObject::passOver
+(
+    const wordList& fields
+) const
+{
+    if (!functionObject::postProcess)
+    {
+        return false;
+    }
+
+    for (const word& name : fields)
+    {
+        if (name != "none" && !hasField<volScalarField>(name))
+        {
+            Info<< type() << " " << this->name() << ": time "
+                << mesh_.time().timeName() << " is passed over, it has no "
+                << name << endl;
+            return true;
+        }
+    }
+
+    return false;
 }
 
 

@@ -87,7 +87,14 @@ Foam::scalar Foam::sampleSeries::slope(const scalar t1, const scalar t2) const
 
 Foam::scalar Foam::sampleSeries::lastSlope(const scalar period) const
 {
-    return size() ? slope(times_.last() - period, times_.last()) : 0;
+    const label n = size();
+
+    if (n < 2)
+    {
+        return 0;
+    }
+
+    return slope(min(times_[n - 1] - period, times_[n - 2]), times_[n - 1]);
 }
 
 

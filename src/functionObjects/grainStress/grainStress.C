@@ -60,6 +60,13 @@ Foam::functionObjects::grainStress::grainStress
 bool Foam::functionObjects::grainStress::read(const dictionary& dict)
 {
     flumeFunctionObject::read(dict);
+    checkKeys
+    (
+        dict,
+        {
+            "types", "kinetic", "spheres", "boxes"
+        }
+    );
 
     types_ = labelHashSet(dict.lookupOrDefault("types", labelList()));
     kinetic_ = dict.lookupOrDefault("kinetic", false);

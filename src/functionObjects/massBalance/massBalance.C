@@ -31,7 +31,8 @@ Foam::functionObjects::massBalance::massBalance
     enteredBefore_(0),
     leftBefore_(0),
     lastIndex_(-1),
-    begun_(false)
+    begun_(false),
+    passedOver_(false)
 {
     read(dict);
 
@@ -65,6 +66,13 @@ Foam::functionObjects::massBalance::massBalance
 bool Foam::functionObjects::massBalance::read(const dictionary& dict)
 {
     flumeFunctionObject::read(dict);
+    checkKeys
+    (
+        dict,
+        {
+            "alphaPhi"
+        }
+    );
 
     fluxName_ = dict.lookupOrDefault<word>("alphaPhi", "alphaPhi");
 
@@ -160,6 +168,13 @@ Foam::functionObjects::massBalance::grainCount() const
 
 bool Foam::functionObjects::massBalance::execute()
 {
+    passedOver_ = passOver({alphaName_, voidFractionName_});
+
+    if (passedOver_)
+    {
+        return true;
+    }
+
     if (functionObject::postProcess)
     {
         // What flowed out between two written times is known from the run
@@ -212,6 +227,11 @@ bool Foam::functionObjects::massBalance::execute()
 
 bool Foam::functionObjects::massBalance::write()
 {
+    if (passedOver_)
+    {
+        return true;
+    }
+
     const scalar volume = gSum(waterVolume()());
     const FixedList<scalar, 4> n(grainCount());
 

@@ -49,6 +49,14 @@ Foam::functionObjects::porePressureProbes::porePressureProbes
 bool Foam::functionObjects::porePressureProbes::read(const dictionary& dict)
 {
     flumeFunctionObject::read(dict);
+    checkKeys
+    (
+        dict,
+        {
+            "probes", "patch", "p", "hydrostatic", "radius", "highShare",
+            "lowShare"
+        }
+    );
 
     probes_ = dict.get<pointField>("probes");
     patchName_ = dict.get<word>("patch");
@@ -164,6 +172,54 @@ void Foam::functionObjects::porePressureProbes::writeHeaders()
       + levelNames[level_] + ")",
         columns
     );
+
+    wordList summary;
+    forAll(probes_, i)
+    {
+        for
+        (
+            const char* what
+          : {"peak", "tPeak", "durationHigh", "dissipation"}
+        )
+        {
+            summary.append(word(Foam::name(i) + ":" + what));
+        }
+    }
+
+    writeColumns
+    (
+        extraFile("summary"),
+        "So far: peak pressure in Pa and its time; time above "
+      + Foam::name(highShare_) + " of the peak; time from the peak until "
+      + Foam::name(lowShare_) + " of it is left; times in s",
+        summary
+    );
+}
+
+
+void Foam::functionObjects::porePressureProbes::writeSummary()
+{
+    scalarList summary;
+
+    for (const sampleSeries& p : pressure_)
+    {
+        const label peak = p.peak();
+        const scalar most = p.values()[peak];
+        const scalar when = p.times()[peak];
+
+        summary.append
+        (
+            scalarList
+            ({
+                most,
+                when,
+                p.durationAbove(highShare_*most),
+                max(p.lastAbove(lowShare_*most) - when, scalar(0))
+            })
+        );
+    }
+
+    writeLine(extraFile("summary"), summary);
 }
 
 
@@ -207,6 +263,13 @@ Foam::functionObjects::porePressureProbes::grainStress() const
 
 bool Foam::functionObjects::porePressureProbes::execute()
 {
+    line_.clear();
+
+    if (passOver({pName_, alphaName_}))
+    {
+        return true;
+    }
+
     const tmp<volScalarField> tp(field<volScalarField>(pName_));
     const tmp<volScalarField> talpha(field<volScalarField>(alphaName_));
     const label patchi = mesh_.boundaryMesh().findPatchID(patchName_);
@@ -214,8 +277,6 @@ bool Foam::functionObjects::porePressureProbes::execute()
 
     const scalarList fromGrains(grainStress());
     const scalar rhoG = rhoWater()*mag(gravity());
-
-    line_.clear();
 
     forAll(probes_, i)
     {
@@ -245,54 +306,10 @@ bool Foam::functionObjects::porePressureProbes::write()
         keep(seriesName(i), pressure_[i]);
     }
 
-    if (writes())
+    if (writes() && line_.size())
     {
         writeLine(file(), line_);
-    }
-
-    return true;
-}
-
-
-bool Foam::functionObjects::porePressureProbes::end()
-{
-    if (!writes())
-    {
-        return true;
-    }
-
-    OFstream& os = extraFile("summary");
-    writeColumns
-    (
-        os,
-        "Peak pressure in Pa and its time; time above " + Foam::name(highShare_)
-      + " of the peak; time from the peak until " + Foam::name(lowShare_)
-      + " of it is left (at most to the end of the run); times in s",
-        {"probe", "peak", "tPeak", "durationHigh", "dissipation"},
-        false
-    );
-
-    forAll(pressure_, i)
-    {
-        const sampleSeries& p = pressure_[i];
-        const label peak = p.peak();
-
-        if (peak >= 0)
-        {
-            const scalar most = p.values()[peak];
-            const scalar when = p.times()[peak];
-
-            writeRow
-            (
-                os,
-                scalarList
-                ({
-                    scalar(i), most, when,
-                    p.durationAbove(highShare_*most),
-                    p.lastAbove(lowShare_*most) - when
-                })
-            );
-        }
+        writeSummary();
     }
 
     return true;

@@ -59,14 +59,46 @@ Foam::functionObjects::surgeFront::surgeFront
 
     if (writes())
     {
-        writeColumns
+        writeHeaders();
+    }
+}
+
+
+void Foam::functionObjects::surgeFront::writeHeaders()
+{
+    writeColumns
+    (
+        file(),
+        "Front of the surge; lengths in m, U in m/s",
+        {
+            "xGrains", "xQuantile", "xFarthest", "xWater", "xFront", "U",
+            "hExtent", "hWater", "hMixture", "h", "Fr"
+        }
+    );
+
+    writeColumns
+    (
+        extraFile("summary"),
+        "Means, so far, while the front is within the reach "
+      + Foam::name(reach_.first()) + " to " + Foam::name(reach_.second())
+      + " m: times in s, U in m/s, h in m",
+        {"tBegin", "tEnd", "U", "h", "Fr"}
+    );
+}
+
+
+void Foam::functionObjects::surgeFront::writeSummary()
+{
+    const Tuple2<scalar, scalar> t(period());
+
+    if (t.first() < t.second())
+    {
+        const FixedList<scalar, 3> v(overReach());
+
+        writeLine
         (
-            file(),
-            "Front of the surge; lengths in m, U in m/s",
-            {
-                "xGrains", "xQuantile", "xFarthest", "xWater", "xFront", "U",
-                "hExtent", "hWater", "hMixture", "h", "Fr"
-            }
+            extraFile("summary"),
+            scalarList({t.first(), t.second(), v[0], v[1], v[2]})
         );
     }
 }
@@ -75,6 +107,15 @@ Foam::functionObjects::surgeFront::surgeFront
 bool Foam::functionObjects::surgeFront::read(const dictionary& dict)
 {
     flumeFunctionObject::read(dict);
+    checkKeys
+    (
+        dict,
+        {
+            "types", "front", "thickness", "stripWidth", "width",
+            "grainThreshold", "waterThreshold", "headLength", "window",
+            "reach"
+        }
+    );
 
     types_ = labelHashSet(dict.lookupOrDefault("types", labelList()));
     front_ = frontNames.lookupOrDefault("front", dict, frontType::grains);
@@ -264,6 +305,13 @@ Foam::functionObjects::surgeFront::overReach() const
 
 bool Foam::functionObjects::surgeFront::execute()
 {
+    line_.clear();
+
+    if (passOver({alphaName_, voidFractionName_}))
+    {
+        return true;
+    }
+
     const labelList chosen(ofTypes(grains(), types_));
     const scalar d = meanDiameter(chosen);
     const strips solid(solidThickness(chosen));
@@ -330,39 +378,10 @@ bool Foam::functionObjects::surgeFront::write()
     keep("position", position_);
     keep("depth", depth_);
 
-    if (writes())
+    if (writes() && line_.size())
     {
         writeLine(file(), line_);
-    }
-
-    return true;
-}
-
-
-bool Foam::functionObjects::surgeFront::end()
-{
-    const Tuple2<scalar, scalar> t(period());
-
-    if (writes() && t.first() < t.second())
-    {
-        const FixedList<scalar, 3> values(overReach());
-
-        OFstream& os = extraFile("summary");
-        writeColumns
-        (
-            os,
-            "Means while the front is within the reach "
-          + Foam::name(reach_.first()) + " to " + Foam::name(reach_.second())
-          + " m",
-            {"tBegin", "tEnd", "U", "h", "Fr"},
-            false
-        );
-        writeRow
-        (
-            os,
-            scalarList
-            ({t.first(), t.second(), values[0], values[1], values[2]})
-        );
+        writeSummary();
     }
 
     return true;
