@@ -36,7 +36,8 @@ grainSnapshot oneInEachCell(const fvMesh& mesh, labelList& cells)
         grains.stressMoment[i] = symmTensor(i, 1, 2, 3, 4, 5);
     }
 
-    grains.wallForce.insert("zMin", vectorField(grains.size(), vector(0, 0, 7)));
+    const vectorField wall(grains.size(), vector(0, 0, 7));
+    grains.wallForce.insert("zMin", wall);
     return grains;
 }
 

@@ -76,10 +76,22 @@ bool writeChecked(const regIOobject& io, const bool valid)
         time.writeCompression()
     );
 
-    const bool ok = os.good() && io.writeHeader(os) && io.writeData(os);
+    // OpenFOAM ends the program where a list cannot be written
+    const bool throwing = FatalIOError.throwExceptions();
+    bool ok = os.good();
 
-    IOobject::writeEndDivider(os);
-    os.flush();
+    try
+    {
+        ok = ok && io.writeHeader(os) && io.writeData(os);
+        IOobject::writeEndDivider(os);
+        os.flush();
+    }
+    catch (const IOerror&)
+    {
+        ok = false;
+    }
+
+    FatalIOError.throwExceptions(throwing);
 
     return ok && os.stdStream().good();
 }
