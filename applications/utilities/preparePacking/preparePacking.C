@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Makes the packings of system/packingDict and writes them as one LIGGGHTS data
+// file, constant/grains.data, with constant/packingProperties beside it.
+
+#include "grainContacts.H"
+#include "grainsData.H"
+#include "packingCache.H"
+
+#include "Time.H"
+#include "IOdictionary.H"
+#include "argList.H"
+#include "pointIOField.H"
+#include "UPstream.H"
+#include "uniformDimensionedFields.H"
+
+namespace Foam
+{
+
+//- The packing with its name and what it became
+struct namedPacking
+{
+    word name;
+    autoPtr<packingModel> model;
+    packedGrains grains;
+};
+
+
+IOdictionary readPackingDict(const Time& runTime, const argList& args)
+{
+    const fileName file
+    (
+        args.lookupOrDefault<fileName>("dict", "system/packingDict")
+    );
+    return IOdictionary
+    (
+        IOobject
+        (
+            file.isAbsolute() ? file : runTime.path()/file,
+            runTime,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+}
+
+
+//- Gravity of the case [m/s^2]; zero where there is no constant/g, which is
+//  an error only for packings that need it
+vector readGravity(const Time& runTime)
+{
+    IOobject io
+    (
+        "g",
+        runTime.constant(),
+        runTime,
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE,
+        false
+    );
+    return
+        io.typeHeaderOk<uniformDimensionedVectorField>(true)
+      ? uniformDimensionedVectorField(io).value()
+      : vector(Zero);
+}
+
+
+//- The entry "domain", or else the bounds of the mesh
+boundBox readDomain(const dictionary& dict, const Time& runTime)
+{
+    if (dict.found("domain"))
+    {
+        ITstream& is = dict.lookup("domain");
+        return boundBox(is);
+    }
+
+    IOobject io
+    (
+        "points",
+        runTime.constant(),
+        "polyMesh",
+        runTime,
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE,
+        false
+    );
+    if (!io.typeHeaderOk<pointIOField>(true))
+    {
+        FatalIOErrorInFunction(dict)
+            << "The box of the grains is not known: there is no mesh in "
+            << runTime.constantPath()/"polyMesh" << ". Run blockMesh first,"
+            << " or give the entry domain (min) (max);" << exit(FatalIOError);
+    }
+    return boundBox(pointIOField(io), false);
+}
+
+
+PtrList<namedPacking> makePackings(const dictionary& dict, const vector& g)
+{
+    PtrList<namedPacking> packings;
+
+    for (const entry& e : dict)
+    {
+        if (e.isDict())
+        {
+            Info<< "Packing " << e.keyword() << endl;
+            autoPtr<namedPacking> next(new namedPacking);
+            next->name = e.keyword();
+            next->model = packingModel::New(e.dict(), g);
+            next->grains = packingCache::obtain(next->model());
+            packings.append(next.ptr());
+        }
+    }
+
+    if (packings.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "No packing in here: give each a name and a sub-dictionary,"
+            << " for instance bed { type settled; ... }" << exit(FatalIOError);
+    }
+    return packings;
+}
+
+
+//- Directions in which a packing is periodic, which it must then fill
+FixedList<bool, 3> periodicDirections
+(
+    const dictionary& dict,
+    const UPtrList<namedPacking>& packings,
+    const boundBox& domain
+)
+{
+    FixedList<bool, 3> periodic(false);
+    const scalar tolerance = 1e-9*domain.mag();
+
+    for (const namedPacking& packing : packings)
+    {
+        const packingBox box(packing.model->box());
+        for (direction d = 0; d < 3; ++d)
+        {
+            const bool fills =
+                mag(box.bounds().min()[d] - domain.min()[d]) < tolerance
+             && mag(box.bounds().max()[d] - domain.max()[d]) < tolerance;
+
+            if (box.periodic(d) && !fills)
+            {
+                FatalIOErrorInFunction(dict)
+                    << "The packing " << packing.name << " is periodic in "
+                    << char('x' + d) << " and must fill the domain "
+                    << domain << " there; it fills " << box.bounds()
+                    << exit(FatalIOError);
+            }
+            periodic[d] = periodic[d] || box.periodic(d);
+        }
+    }
+    return periodic;
+}
+
+
+void checkInside
+(
+    const dictionary& dict,
+    const namedPacking& packing,
+    const boundBox& domain
+)
+{
+    boundBox tolerant(domain);
+    tolerant.inflate(1e-9);
+    const boundBox box(packing.model->box().bounds());
+
+    if (!tolerant.contains(box))
+    {
+        FatalIOErrorInFunction(dict)
+            << "The packing " << packing.name << " in the box " << box
+            << " is not inside the domain " << domain << exit(FatalIOError);
+    }
+}
+
+
+//- Number of the packing that each grain belongs to
+labelList packingOfGrain(const UPtrList<namedPacking>& packings)
+{
+    labelList number;
+    forAll(packings, i)
+    {
+        number.append(labelList(packings[i].grains.size(), i));
+    }
+    return number;
+}
+
+
+//- Grains of different packings must not overlap
+void checkApart
+(
+    const dictionary& dict,
+    const UPtrList<namedPacking>& packings,
+    const packedGrains& all,
+    const packingBox& box
+)
+{
+    const labelList number(packingOfGrain(packings));
+
+    for (const grainPair& pair : pairsWithin(box, all.position, all.diameter, 0))
+    {
+        const label a = number[pair.first];
+        const label b = number[pair.second];
+        if (a != b)
+        {
+            FatalIOErrorInFunction(dict)
+                << "A grain of " << packings[a].name << " at "
+                << all.position[pair.first] << " overlaps one of "
+                << packings[b].name << " at " << all.position[pair.second]
+                << ": the boxes of packings must not overlap"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+//- All grains in the order of the dictionary, checked against each other
+packedGrains joined
+(
+    const dictionary& dict,
+    const UPtrList<namedPacking>& packings,
+    const boundBox& domain
+)
+{
+    packedGrains all;
+    for (const namedPacking& packing : packings)
+    {
+        checkInside(dict, packing, domain);
+        all.append(packing.grains);
+    }
+
+    const packingBox box(domain, periodicDirections(dict, packings, domain));
+    checkApart(dict, packings, all, box);
+    return all;
+}
+
+
+//- Write constant/packingProperties and show it
+void report(const UPtrList<namedPacking>& packings, const Time& runTime)
+{
+    IOdictionary properties
+    (
+        IOobject
+        (
+            "packingProperties",
+            runTime.constant(),
+            runTime,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+
+    label first = 1;
+    for (const namedPacking& packing : packings)
+    {
+        dictionary reached(packing.model->properties(packing.grains));
+        reached.add("firstId", first);
+        first += packing.grains.size();
+
+        Info<< nl << packing.name << nl;
+        reached.write(Info, false);
+        properties.add(packing.name, reached);
+    }
+
+    const unsigned digits = IOstream::defaultPrecision(12);
+    properties.regIOobject::write();
+    IOstream::defaultPrecision(digits);
+}
+
+} // End namespace Foam
+
+
+int main(int argc, char* argv[])
+{
+    using namespace Foam;
+
+    argList::addNote
+    (
+        "Make packings of grains of a given solid fraction, mass or level"
+        " and write them as a LIGGGHTS data file. See README.md beside the"
+        " source."
+    );
+    argList::noParallel();
+    argList::addOption("dict", "file", "Instead of system/packingDict");
+
+    // OpenFOAM starts MPI, which LIGGGHTS needs, so that it also ends it
+    UPstream::initNull();
+    const argList args(argc, argv);
+    Time runTime(Time::controlDictName, args);
+
+    const IOdictionary dict(readPackingDict(runTime, args));
+    const boundBox domain(readDomain(dict, runTime));
+    const PtrList<namedPacking> packings
+    (
+        makePackings(dict, readGravity(runTime))
+    );
+
+    const packedGrains grains(joined(dict, packings, domain));
+    const fileName file(runTime.path()/runTime.constant()/"grains.data");
+    writeGrainsData(file, grains, domain, "Grains of preparePacking");
+    report(packings, runTime);
+
+    Info<< nl << grains.size() << " grains written to " << file << nl
+        << endl;
+    return 0;
+}
