@@ -41,6 +41,25 @@ namespace
         }
     };
 
+    //- Holds back std::cerr: a second LIGGGHTS in one program enters the same
+    //  contact models once more, and complains of each, though all is well
+    class quietErrors
+    {
+        std::streambuf* const shown_ = std::cerr.rdbuf(nullptr);
+
+        quietErrors(const quietErrors&) = delete;
+        void operator=(const quietErrors&) = delete;
+
+    public:
+
+        quietErrors() = default;
+
+        ~quietErrors()
+        {
+            std::cerr.rdbuf(shown_);
+        }
+    };
+
     //- A serial OpenFOAM run starts no MPI, and LIGGGHTS needs it
     void finaliseMPI()
     {
@@ -115,6 +134,8 @@ Foam::liggghtsInstance::liggghtsInstance(const fileName& logFile)
 
     const fpeGuard guard;
     const nowDoing now("starting up");
+
+    const quietErrors quiet;
 
     void* opened = nullptr;
     lammps_open(5, args, MPI_COMM_WORLD, &opened);
