@@ -15,7 +15,9 @@
 
 # Code is made for the machine that builds it. A fused multiply-add rounds once
 # where OpenFOAM's packaged libraries round twice; without contraction a run
-# without grains is interFoam's to the last bit.
+# without grains is interFoam's to the last bit, if the solver also takes
+# fvc::reconstruct from libfiniteVolume (extern template): the compiler that
+# built the packages sums its products in another order.
 INTERDEMFOAM_ARCH ?= native
 c++OPT = -std=c++17 -O3 -march=$(INTERDEMFOAM_ARCH) -ffp-contract=off
 c++WARN = -Wall -Wextra -Wnon-virtual-dtor $(FOAM_EXTRA_CXXFLAGS)
