@@ -143,3 +143,19 @@ void Foam::porosity::spreadExcess()
             << 100*spreadVolume_/totalVolume_ << " %" << endl;
     }
 }
+
+
+Foam::scalarField Foam::porosity::sauterDiameter() const
+{
+    const List<locatedGrain>& grains = exchange_.grains();
+    scalarField volumes(grains.size());
+    scalarField areas(grains.size());
+
+    forAll(grains, i)
+    {
+        volumes[i] = volume(grains[i]);
+        areas[i] = volumes[i]/(2*grains[i].radius);
+    }
+
+    return gather(spread(volumes))/gather(spread(areas));
+}
