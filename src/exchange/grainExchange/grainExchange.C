@@ -4,7 +4,6 @@
 #include "grainExchange.H"
 
 #include "granularPhase.H"
-#include "swapLists.H"
 
 Foam::grainExchange::grainExchange(const fvMesh& mesh)
 :

@@ -9,6 +9,8 @@ namespace Foam
     defineRunTimeSelectionTable(granularPhase, dictionary);
 }
 
+const Foam::fileName Foam::granularPhase::stateFolder("uniform/granular");
+
 
 Foam::granularPhase::granularPhase(const fvMesh& mesh, const dictionary& dict)
 :

@@ -23,8 +23,6 @@ namespace Foam
     addToRunTimeSelectionTable(granularPhase, liggghtsPhase, dictionary);
 }
 
-const Foam::fileName Foam::liggghtsPhase::stateFolder("uniform/granular");
-
 
 namespace
 {
@@ -56,6 +54,7 @@ Foam::liggghtsPhase::liggghtsPhase
     liggghts_(mesh.time().globalPath()/"log.liggghts"),
     walls_(mesh, dict_.subOrEmptyDict("walls"), physicsScript_),
     fluid_(nullptr),
+    restarted_(false),
     nGrains_(0),
     nInserted_(0),
     nEntered_(0),
@@ -177,6 +176,7 @@ void Foam::liggghtsPhase::createGrains()
     {
         Info<< "    from " << state << endl;
         liggghts_.command("read_restart " + state);
+        restarted_ = true;
     }
     else
     {
@@ -286,6 +286,22 @@ void Foam::liggghtsPhase::countGrains()
     nLeft_ += gone;
     nInserted_ = inserted;
     nGrains_ = now;
+}
+
+
+bool Foam::liggghtsPhase::mobile() const
+{
+    const LAMMPS_NS::Modify& modify = *liggghts_->modify;
+
+    for (label i = 0; i < modify.nfix; ++i)
+    {
+        if (modify.fix[i]->time_integrate)
+        {
+            return true;
+        }
+    }
+
+    return false;
 }
 
 

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The grains beside the fluid: each stage of their exchange is one call.
+
+#include "grainCoupling.H"
+
+#include "IOdictionary.H"
+#include "Time.H"
+#include "grainSnapshot.H"
+
+Foam::grainCoupling::grainCoupling(const fvMesh& mesh, const vector& g)
+:
+    mesh_(mesh),
+    g_(g),
+    elapsed_(0)
+{
+    IOobject io
+    (
+        "granularProperties",
+        mesh.time().constant(),
+        mesh,
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE
+    );
+
+    if (!io.typeHeaderOk<IOdictionary>(true))
+    {
+        Info<< "No constant/granularProperties: no grains" << nl << endl;
+        return;
+    }
+
+    const IOdictionary dict(io);
+    checkKeywords(dict);
+
+    phase_ = granularPhase::New(mesh, dict, g);
+    exchange_.reset(new grainExchange(mesh));
+    porosity_.reset
+    (
+        new porosity(*exchange_, dict.subOrEmptyDict("porosity"))
+    );
+    forces_.reset
+    (
+        new interphaseForces
+        (
+            *exchange_,
+            *porosity_,
+            dict.subOrEmptyDict("interphaseForces"),
+            g,
+            phase_->coarseGraining(),
+            phase_->mobile()
+        )
+    );
+
+    writeActivePhysics();
+
+    locateGrains();
+    checkWalls();
+    checkRegime();
+    findPorosity();
+    solidBefore_ = solidAfter_;
+
+    // Nothing of an interval is left to do: the grains are due
+    elapsed_ = phase_->exchangeInterval();
+}
+
+
+bool Foam::grainCoupling::due() const
+{
+    return active() && elapsed_ > (1 - 1e-6)*phase_->exchangeInterval();
+}
+
+
+Foam::scalar Foam::grainCoupling::fluidStep(const scalar wanted) const
+{
+    const scalar remaining =
+        phase_->exchangeInterval() - (due() ? 0 : elapsed_);
+
+    return remaining/std::ceil(remaining/wanted*(1 - 1e-6));
+}
+
+
+void Foam::grainCoupling::resetSums(const vectorField& U)
+{
+    elapsed_ = 0;
+    startU_ = U;
+    sums_.U = vectorField(U.size(), Zero);
+    sums_.pressureGradient = sums_.U;
+    sums_.viscousForce = sums_.U;
+}
+
+
+void Foam::grainCoupling::start
+(
+    const vectorField& pressureGradient,
+    const vectorField& U
+)
+{
+    resetSums(U);
+    elapsed_ = phase_->exchangeInterval();
+
+    if (phase_->restarted())
+    {
+        return;
+    }
+
+    forces_->start(pressureGradient);
+    phase_->setFluidForce
+    (
+        exchange_->toPhase(forces_->force(), phase_->size()),
+        exchange_->toPhase(forces_->torque(), phase_->size())
+    );
+}
+
+
+void Foam::grainCoupling::moveGrains()
+{
+    const stageTimes::stage stage(times_, "moveGrains");
+    phase_->advance();
+}
+
+
+void Foam::grainCoupling::locateGrains()
+{
+    const stageTimes::stage stage(times_, "locateGrains");
+    exchange_->locate(*phase_);
+}
+
+
+void Foam::grainCoupling::findPorosity()
+{
+    const stageTimes::stage stage(times_, "findPorosity");
+    solidBefore_ = solidAfter_;
+    porosity_->update();
+    solidAfter_ = porosity_->solidFraction();
+}
+
+
+void Foam::grainCoupling::prepareForces(const fluidFields& fluid)
+{
+    const stageTimes::stage stage(times_, "prepareForces");
+    resetSums(fluid.U);
+    forces_->prepare(fluid, phase_->exchangeInterval());
+}
+
+
+Foam::scalarField Foam::grainCoupling::targetVoidFraction
+(
+    const scalar dt
+) const
+{
+    const scalar done =
+        min((elapsed_ + dt)/phase_->exchangeInterval(), scalar(1));
+
+    return 1 - ((1 - done)*solidBefore_ + done*solidAfter_);
+}
+
+
+void Foam::grainCoupling::addFluidStep
+(
+    const vectorField& U,
+    const vectorField& pressureGradient,
+    const vectorField& viscousForce,
+    const scalar dt
+)
+{
+    elapsed_ += dt;
+    sums_.U += dt*U;
+    sums_.pressureGradient += dt*pressureGradient;
+    if (viscousForce.size())
+    {
+        sums_.viscousForce += dt*viscousForce;
+    }
+}
+
+
+void Foam::grainCoupling::giveForces(const vectorField& U)
+{
+    const stageTimes::stage stage(times_, "giveForces");
+
+    const fluidMeans means
+    {
+        sums_.U/elapsed_,
+        (U - startU_)/elapsed_,
+        sums_.pressureGradient/elapsed_,
+        sums_.viscousForce/elapsed_
+    };
+
+    forces_->finish(means);
+    phase_->setFluidForce
+    (
+        exchange_->toPhase(forces_->force(), phase_->size()),
+        exchange_->toPhase(forces_->torque(), phase_->size())
+    );
+
+    report();
+}
+
+
+void Foam::grainCoupling::report() const
+{
+    scalar volume = 0;
+    for (const locatedGrain& grain : exchange_->grains())
+    {
+        volume += porosity::volume(grain);
+    }
+    reduce(volume, sumOp<scalar>());
+
+    Info<< "Grains: " << phase_->nTotal() << " = "
+        << returnReduce(exchange_->grains().size(), sumOp<label>())
+        << " located + " << exchange_->nOutside() << " outside; entered "
+        << phase_->nEntered() << ", left " << phase_->nLeft() << nl
+        << "Exchange: force residual " << forces_->residual()
+        << ", volume residual "
+        << mag(gSum(solidAfter_*mesh_.V()) - volume)/(volume + VSMALL)
+        << endl;
+}

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The grains beside the fluid: what is checked before a run.
+
+#include "grainCoupling.H"
+
+#include "Time.H"
+#include "wallPolyPatch.H"
+
+void Foam::grainCoupling::checkKeywords(const dictionary& dict) const
+{
+    const HashSet<word> valid
+    {
+        "FoamFile", "granularPhase", "LIGGGHTS", "coarseGraining", "exchange",
+        "porosity", "interphaseForces"
+    };
+
+    for (const entry& e : dict)
+    {
+        if (!valid.found(e.keyword()))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Unknown keyword " << e.keyword() << nl << nl
+                << "Valid choices: " << valid.sortedToc() << nl
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::grainCoupling::checkRegime() const
+{
+    scalar largest = 0;
+    for (const locatedGrain& grain : exchange_->grains())
+    {
+        largest = max(largest, 2*grain.radius);
+    }
+    reduce(largest, maxOp<scalar>());
+
+    const scalar cell = cbrt(gMin(mesh_.V()));
+
+    if (largest > cell)
+    {
+        WarningInFunction
+            << "Grains of " << largest << " m are larger than the smallest"
+            << " cell, " << cell << " m (cube root of its volume)." << nl
+            << "    This solver takes the flow around a grain from drag laws"
+            << " (unresolved regime) and wants cells of two to three grain"
+            << " diameters. Where the flow around each grain is to be"
+            << " computed, a resolved method is needed. With smoothing over"
+            << " several diameters the run goes on." << nl << endl;
+    }
+}
+
+
+void Foam::grainCoupling::checkWalls() const
+{
+    label nIn = 0;
+    label deepestId = -1;
+    point deepestAt(Zero);
+    scalar deepest = 0;
+
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+
+    for (const locatedGrain& grain : exchange_->grains())
+    {
+        for (const label f : mesh_.cells()[grain.cell])
+        {
+            const label patch = mesh_.isInternalFace(f) ? -1 : patches.whichPatch(f);
+
+            if (patch < 0 || !isA<wallPolyPatch>(patches[patch]))
+            {
+                continue;
+            }
+
+            const vector n(mesh_.faceAreas()[f]/mag(mesh_.faceAreas()[f]));
+            const scalar overlap =
+                grain.radius + ((grain.position - mesh_.faceCentres()[f]) & n);
+
+            if (overlap > 0.1*grain.radius)
+            {
+                ++nIn;
+                if (overlap > deepest)
+                {
+                    deepest = overlap;
+                    deepestId = grain.id;
+                    deepestAt = grain.position;
+                }
+            }
+        }
+    }
+
+    const scalar deepestOfAll = returnReduce(deepest, maxOp<scalar>());
+
+    if (deepestOfAll > 0 && deepest == deepestOfAll)
+    {
+        FatalErrorInFunction
+            << "Grains overlap the walls at the start, " << nIn
+            << " on this rank by more than a tenth of their radius." << nl
+            << "    The deepest is grain " << deepestId << " at " << deepestAt
+            << " m, " << deepest << " m into the wall." << nl
+            << "    Move the grains in the initial script, or take the patch"
+            << " out of LIGGGHTS/walls/patches in constant/granularProperties."
+            << exit(FatalError);
+    }
+}
+
+
+void Foam::grainCoupling::checkWriting(const Time& runTime) const
+{
+    const dictionary& control = runTime.controlDict();
+    const word writeControl
+    (
+        control.lookupOrDefault<word>("writeControl", "timeStep")
+    );
+    const scalar interval = phase_->exchangeInterval();
+
+    const bool byTime =
+        writeControl == "adjustable" || writeControl == "adjustableRunTime"
+     || writeControl == "runTime";
+
+    if (!byTime)
+    {
+        FatalIOErrorInFunction(control)
+            << "writeControl is " << writeControl
+            << ": with grains, results are written at ends of exchange"
+            << " intervals (" << interval << " s), where grains and water are"
+            << " at the same time." << nl
+            << "    Use writeControl adjustableRunTime, and a writeInterval"
+            << " that is a whole number of intervals." << exit(FatalIOError);
+    }
+
+    for (const word key : {"writeInterval", "endTime"})
+    {
+        const scalar value =
+            control.get<scalar>(key)
+          - (key == word("endTime") ? runTime.startTime().value() : 0);
+        const scalar n = value/interval;
+
+        if (mag(n - std::round(n)) > 1e-4*max(n, scalar(1)))
+        {
+            FatalIOErrorInFunction(control)
+                << key << " " << control.get<scalar>(key)
+                << " s does not fit the exchange interval of " << interval
+                << " s (" << phase_->stepsPerExchange() << " DEM steps of "
+                << phase_->timeStep() << " s): it is " << n << " intervals."
+                << nl << "    Make it a whole number of them."
+                << exit(FatalIOError);
+        }
+    }
+}

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The grains beside the fluid: what is written.
+
+#include "grainCoupling.H"
+
+#include "OFstream.H"
+#include "OSspecific.H"
+#include "Time.H"
+#include "grainSnapshot.H"
+
+void Foam::grainCoupling::writeActivePhysics() const
+{
+    if (!Pstream::master())
+    {
+        return;
+    }
+
+    const fileName folder
+    (
+        mesh_.time().globalPath()/"postProcessing"/"activePhysics"
+       /mesh_.time().timeName()
+    );
+    mkDir(folder);
+
+    OFstream os(folder/"activePhysics");
+    os  << "// Models in use in this run, with all their settings" << nl;
+    forces_->active().write(os, false);
+}
+
+
+bool Foam::grainCoupling::writeCloud() const
+{
+    // A snapshot stands on the ranks that move the grains, a cloud on those
+    // of their cells
+    const autoPtr<grainSnapshot> moved(phase_->snapshot());
+    grainSnapshot located;
+
+    located.id = exchange_->toCells(moved->id);
+    located.type = exchange_->toCells(moved->type);
+    located.U = exchange_->toCells(moved->U);
+    located.omega = exchange_->toCells(moved->omega);
+    located.d = exchange_->toCells(moved->d);
+    located.mass = exchange_->toCells(moved->mass);
+    located.force = exchange_->toCells(moved->force);
+    located.contactForce = exchange_->toCells(moved->contactForce);
+    located.stressMoment = exchange_->toCells(moved->stressMoment);
+
+    for (const word& wall : moved->wallForce.sortedToc())
+    {
+        located.wallForce.insert
+        (
+            wall,
+            vectorField(exchange_->toCells(moved->wallForce[wall]))
+        );
+    }
+
+    const List<locatedGrain>& grains = exchange_->grains();
+    labelList cells(grains.size());
+    located.position.setSize(grains.size());
+
+    forAll(grains, i)
+    {
+        cells[i] = grains[i].cell;
+        located.position[i] = grains[i].position;
+    }
+
+    return located.write(mesh_, cells);
+}
+
+
+bool Foam::grainCoupling::write()
+{
+    const stageTimes::stage stage(times_, "writeGrains");
+
+    const bool cloudComplete = writeCloud();
+
+    const fileName folder
+    (
+        mesh_.time().globalPath()
+       /(Pstream::parRun() ? "processor0" : "")
+       /mesh_.time().timeName()/granularPhase::stateFolder
+    );
+    if (Pstream::master())
+    {
+        mkDir(folder);
+    }
+
+    const bool stateComplete = phase_->writeState(folder);
+
+    // Writing the state may bring grains to other ranks
+    locateGrains();
+
+    return returnReduce(cloudComplete && stateComplete, andOp<bool>());
+}
