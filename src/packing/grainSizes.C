@@ -25,7 +25,8 @@ Foam::grainSizes::grainSizes(const dictionary& dict)
     }
     else
     {
-        for (const auto& row : dict.get<List<Tuple2<scalar, scalar>>>("diameters"))
+        using table = List<Tuple2<scalar, scalar>>;
+        for (const auto& row : dict.get<table>("diameters"))
         {
             diameters_.append(row.first());
             massFractions_.append(row.second());

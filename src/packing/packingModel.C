@@ -24,6 +24,40 @@ constexpr scalar tolerance = 5e-4;
 constexpr label mostShakes = 200;
 constexpr scalar shakeAmplitude = 0.45;
 
+
+pointField randomPoints
+(
+    const packingBox& box,
+    const scalarField& diameters,
+    Random& random
+)
+{
+    pointField points(diameters.size());
+    forAll(points, i)
+    {
+        points[i] =
+            box.bounds().min()
+          + cmptMultiply(random.sample01<vector>(), box.span());
+        box.clipToWalls(points[i], 0.5*diameters[i]);
+    }
+    return points;
+}
+
+
+//- Relax, and shake while spheres overlap. Returns the least overlap on the
+//  way, which is the last one where the tolerance is met
+scalar pushApart(overlapRelaxation& spheres, Random& random)
+{
+    scalar least = spheres.relax(0);
+
+    for (label k = 0; k < mostShakes && least > tolerance; ++k)
+    {
+        spheres.shake(shakeAmplitude*(1 - scalar(k)/mostShakes), random);
+        least = min(least, spheres.relax(0));
+    }
+    return least;
+}
+
 } // End anonymous namespace
 } // End namespace Foam
 
@@ -114,27 +148,15 @@ Foam::packedGrains Foam::packingModel::arrange
     checkFraction(solidFraction);
 
     Random random(seed_);
-    pointField start(diameters.size());
-    forAll(start, i)
-    {
-        start[i] =
-            box.bounds().min()
-          + cmptMultiply(random.sample01<vector>(), box.span());
-        box.clipToWalls(start[i], 0.5*diameters[i]);
-    }
+    overlapRelaxation spheres
+    (
+        box,
+        randomPoints(box, diameters, random),
+        diameters
+    );
+    const scalar least = pushApart(spheres, random);
 
-    overlapRelaxation spheres(box, start, diameters);
-    scalar overlap = spheres.relax(0);
-    scalar least = overlap;
-
-    for (label k = 0; k < mostShakes && overlap > tolerance; ++k)
-    {
-        spheres.shake(shakeAmplitude*(1 - scalar(k)/mostShakes), random);
-        overlap = spheres.relax(0);
-        least = min(least, overlap);
-    }
-
-    if (overlap > tolerance)
+    if (least > tolerance)
     {
         // Smaller by the overlap, the spheres would have fitted
         FatalIOErrorInFunction(dict_)

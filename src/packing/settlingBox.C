@@ -104,24 +104,25 @@ void Foam::settlingBox::readGrains(const fileName& folder)
 
 void Foam::settlingBox::addWalls()
 {
+    const auto addPlane = [&](const char axis, const char* side, scalar at)
+    {
+        liggghts_.command
+        (
+            joined
+            (
+                "fix wall", axis, side, " all wall/gran ",
+                grainContactModel::model,
+                " primitive type 1 ", axis, "plane ", at
+            )
+        );
+    };
+
     for (direction d = 0; d < 3; ++d)
     {
         if (!box_.periodic(d))
         {
-            const char axis = char('x' + d);
-            for (const scalar at : {box_.bounds().min()[d], box_.bounds().max()[d]})
-            {
-                const bool low = at == box_.bounds().min()[d];
-                liggghts_.command
-                (
-                    joined
-                    (
-                        "fix wall", axis, low ? "Min" : "Max",
-                        " all wall/gran ", grainContactModel::model,
-                        " primitive type 1 ", axis, "plane ", at
-                    )
-                );
-            }
+            addPlane(char('x' + d), "Min", box_.bounds().min()[d]);
+            addPlane(char('x' + d), "Max", box_.bounds().max()[d]);
         }
     }
 }

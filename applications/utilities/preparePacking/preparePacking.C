@@ -200,7 +200,9 @@ void checkApart
 {
     const labelList number(packingOfGrain(packings));
 
-    for (const grainPair& pair : pairsWithin(box, all.position, all.diameter, 0))
+    const auto touching = pairsWithin(box, all.position, all.diameter, 0);
+
+    for (const grainPair& pair : touching)
     {
         const label a = number[pair.first];
         const label b = number[pair.second];
