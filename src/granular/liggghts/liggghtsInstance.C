@@ -129,7 +129,8 @@ Foam::liggghtsInstance::liggghtsInstance(const fileName& logFile)
 
     std::string log(logFile);
     char name[] = "liggghts", logFlag[] = "-log", screenFlag[] = "-screen";
-    char none[] = "none";
+    // "none" would be a null pointer that reading a surface prints to
+    char none[] = "/dev/null";
     char* args[] = {name, logFlag, &log[0], screenFlag, none};
 
     const fpeGuard guard;

@@ -136,14 +136,17 @@ Foam::autoPtr<Foam::grainSnapshot> Foam::liggghtsPhase::snapshot() const
     forAllConstIters(walls_.fixes(), wall)
     {
         LAMMPS_NS::Modify& modify = *liggghts_->modify;
-        const int at = modify.find_fix(("force_" + wall.val()).c_str());
+        vectorField force(size(), Zero);
 
-        vectorField force(size());
-
-        forAll(force, i)
+        for (const word& id : wall.val())
         {
-            const double* f = modify.fix[at]->array_atom[i];
-            force[i] = vector(f[0], f[1], f[2]);
+            const int at = modify.find_fix(("force_" + id).c_str());
+
+            forAll(force, i)
+            {
+                const double* f = modify.fix[at]->array_atom[i];
+                force[i] += vector(f[0], f[1], f[2]);
+            }
         }
 
         grains.wallForce.insert(wall.key(), force);

@@ -36,7 +36,8 @@ Foam::liggghtsWalls::liggghtsWalls
         dict.found("contactModel")
       ? dict.get<string>("contactModel")
       : contactModel(script)
-    )
+    ),
+    nWalls_(0)
 {}
 
 
@@ -81,30 +82,48 @@ Foam::string Foam::liggghtsWalls::boundary(const fvMesh& mesh)
 }
 
 
-Foam::label Foam::liggghtsWalls::side(const polyPatch& patch) const
+Foam::labelList Foam::liggghtsWalls::sides(const polyPatch& patch) const
 {
     const boundBox& box = mesh_.bounds();
     const scalar tolerance = 1e-6*box.mag();
-    const pointField points(patch.localPoints());
 
-    for (label i = 0; i < 6; ++i)
+    label nFacesOn = 0;
+    FixedList<bool, 6> used(false);
+
+    for (const face& f : patch)
     {
-        const direction k = i/2;
-        const scalar plane = i % 2 ? box.max()[k] : box.min()[k];
-
-        bool on = true;
-        for (const point& p : points)
+        for (label i = 0; i < 6; ++i)
         {
-            on = on && mag(p[k] - plane) < tolerance;
-        }
+            const direction k = i/2;
+            const scalar plane = i % 2 ? box.max()[k] : box.min()[k];
 
-        if (returnReduce(on, andOp<bool>()))
-        {
-            return i;
+            bool on = true;
+            for (const label p : f)
+            {
+                on = on && mag(mesh_.points()[p][k] - plane) < tolerance;
+            }
+
+            if (on)
+            {
+                used[i] = true;
+                ++nFacesOn;
+                break;
+            }
         }
     }
 
-    return -1;
+    DynamicList<label> result;
+    for (label i = 0; i < 6; ++i)
+    {
+        if (returnReduce(used[i], orOp<bool>()))
+        {
+            result.append(i);
+        }
+    }
+
+    const bool all = returnReduce(nFacesOn == patch.size(), andOp<bool>());
+
+    return all ? labelList(std::move(result)) : labelList();
 }
 
 
@@ -170,11 +189,28 @@ Foam::fileName Foam::liggghtsWalls::writeSurface(const polyPatch& patch) const
 }
 
 
+void Foam::liggghtsWalls::addWall
+(
+    liggghtsInstance& liggghts,
+    const word& patch,
+    const string& geometry
+)
+{
+    // LIGGGHTS keeps room for nine letters of a wall's id
+    const word id("wall" + Foam::name(nWalls_++));
+
+    liggghts.command
+    (
+        "fix " + id + " all wall/gran " + contactModel_ + " " + geometry
+      + " store_force yes"
+    );
+    fixes_(patch).append(id);
+}
+
+
 void Foam::liggghtsWalls::add(liggghtsInstance& liggghts)
 {
     static const char* const planes[] = {"xplane", "yplane", "zplane"};
-
-    label n = 0;
 
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
@@ -183,39 +219,42 @@ void Foam::liggghtsWalls::add(liggghtsInstance& liggghts)
             continue;
         }
 
-        // LIGGGHTS keeps room for nine letters of a wall's id
-        const word id("wall" + Foam::name(n++));
-        const label at = side(patch);
+        const labelList on(sides(patch));
 
-        string geometry;
-        if (at >= 0)
+        for (const label i : on)
         {
             const boundBox& box = mesh_.bounds();
             std::ostringstream os;
             os.precision(17);
-            os  << "primitive type " << type_ << ' ' << planes[at/2] << ' '
-                << (at % 2 ? box.max() : box.min())[at/2];
-            geometry = os.str();
+            os  << "primitive type " << type_ << ' ' << planes[i/2] << ' '
+                << (i % 2 ? box.max() : box.min())[i/2];
+            addWall(liggghts, patch.name(), os.str());
         }
-        else
+
+        if (on.empty())
         {
-            const word surface("mesh" + Foam::name(n));
+            const word surface("mesh" + Foam::name(nWalls_));
             liggghts.command
             (
                 "fix " + surface + " all mesh/surface file "
               + writeSurface(patch) + " type " + Foam::name(type_)
             );
-            geometry = "mesh n_meshes 1 meshes " + surface;
+            addWall
+            (
+                liggghts,
+                patch.name(),
+                "mesh n_meshes 1 meshes " + surface
+            );
         }
 
-        liggghts.command
-        (
-            "fix " + id + " all wall/gran " + contactModel_ + " " + geometry
-          + " store_force yes"
-        );
-        fixes_.insert(patch.name(), id);
-
-        Info<< "    wall " << patch.name() << ": "
-            << (at >= 0 ? "plane" : "surface") << endl;
+        Info<< "    wall " << patch.name() << ": ";
+        if (on.empty())
+        {
+            Info<< "surface" << endl;
+        }
+        else
+        {
+            Info<< on.size() << " planes" << endl;
+        }
     }
 }
