@@ -88,9 +88,9 @@ Foam::labelList Foam::liggghtsWalls::sides(const polyPatch& patch) const
     const scalar tolerance = 1e-6*box.mag();
 
     label nFacesOn = 0;
-    FixedList<bool, 6> used(false);
+    FixedList<scalar, 6> area(0.0);
 
-    for (const face& f : patch)
+    forAll(patch, facei)
     {
         for (label i = 0; i < 6; ++i)
         {
@@ -98,32 +98,39 @@ Foam::labelList Foam::liggghtsWalls::sides(const polyPatch& patch) const
             const scalar plane = i % 2 ? box.max()[k] : box.min()[k];
 
             bool on = true;
-            for (const label p : f)
+            for (const label p : patch[facei])
             {
                 on = on && mag(mesh_.points()[p][k] - plane) < tolerance;
             }
 
             if (on)
             {
-                used[i] = true;
+                area[i] += mag(patch.faceAreas()[facei]);
                 ++nFacesOn;
                 break;
             }
         }
     }
 
+    // A plane has no end: it serves only where the patch has the whole side
+    bool planes = returnReduce(nFacesOn == patch.size(), andOp<bool>());
     DynamicList<label> result;
+
     for (label i = 0; i < 6; ++i)
     {
-        if (returnReduce(used[i], orOp<bool>()))
+        const vector span(box.span());
+        const scalar whole = span[(i/2 + 1) % 3]*span[(i/2 + 2) % 3];
+
+        reduce(area[i], sumOp<scalar>());
+
+        if (area[i] > 0)
         {
             result.append(i);
+            planes = planes && area[i] > (1 - 1e-6)*whole;
         }
     }
 
-    const bool all = returnReduce(nFacesOn == patch.size(), andOp<bool>());
-
-    return all ? labelList(std::move(result)) : labelList();
+    return planes ? labelList(std::move(result)) : labelList();
 }
 
 

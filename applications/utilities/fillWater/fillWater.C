@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Fills the pores of a packing with a given mass of water.
+
+#include "IOdictionary.H"
+#include "argList.H"
+#include "fvCFD.H"
+#include "granularPhase.H"
+#include "porosity.H"
+
+using namespace Foam;
+
+namespace
+{
+    dictionary caseDictionary
+    (
+        const fvMesh& mesh,
+        const fileName& folder,
+        const word& name
+    )
+    {
+        return IOdictionary
+        (
+            IOobject
+            (
+                name,
+                folder,
+                mesh,
+                IOobject::MUST_READ,
+                IOobject::NO_WRITE
+            )
+        );
+    }
+
+
+    //- The void fraction that the grains of the case leave
+    scalarField voidFraction(const fvMesh& mesh, const vector& g)
+    {
+        const dictionary dict
+        (
+            caseDictionary(mesh, "constant", "granularProperties")
+        );
+
+        const auto phase = granularPhase::New(mesh, dict, g);
+        grainExchange exchange(mesh);
+        porosity pores(exchange, dict.subOrEmptyDict("porosity"));
+
+        exchange.locate(*phase);
+        pores.update();
+
+        return 1 - pores.solidFraction();
+    }
+
+
+    //- Share of each cell that lies in the box, up to the level along z [-]
+    scalarField shares
+    (
+        const fvMesh& mesh,
+        const boundBox& box,
+        const scalar level
+    )
+    {
+        scalarField result(mesh.nCells(), Zero);
+
+        forAll(result, cell)
+        {
+            const boundBox cellBox
+            (
+                mesh.cells()[cell].points(mesh.faces(), mesh.points()),
+                false
+            );
+            point centre(mesh.C()[cell]);
+            centre.z() = box.min().z();
+
+            if (box.contains(centre))
+            {
+                const scalar bottom = max(cellBox.min().z(), box.min().z());
+                const scalar top = min(cellBox.max().z(), level);
+
+                result[cell] =
+                    max(top - bottom, scalar(0))/cellBox.span().z();
+            }
+        }
+
+        return result;
+    }
+}
+
+
+int main(int argc, char *argv[])
+{
+    argList::addNote
+    (
+        "Fills a box with a given mass of water, in the pores that the grains"
+        " leave. Box and mass: a packing of constant/packingProperties, or the"
+        " entries of system/fillWaterDict"
+    );
+    argList::noParallel();
+    UPstream::initNull();
+
+    #include "setRootCase.H"
+    #include "createTime.H"
+    #include "createMesh.H"
+    #include "readGravitationalAcceleration.H"
+
+    const dictionary settings(caseDictionary(mesh, "system", "fillWaterDict"));
+    const dictionary packing
+    (
+        settings.found("packing")
+      ? caseDictionary(mesh, "constant", "packingProperties").subDict
+        (
+            settings.get<word>("packing")
+        )
+      : settings
+    );
+
+    const boundBox box(packing.get<point>("min"), packing.get<point>("max"));
+    const scalar mass = packing.get<scalar>("fluidMass");
+    const scalar density = settings.lookupOrDefault<scalar>("density", 1000);
+
+    volScalarField alpha
+    (
+        IOobject
+        (
+            settings.lookupOrDefault<word>("field", "alpha.water"),
+            runTime.timeName(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::AUTO_WRITE
+        ),
+        mesh
+    );
+
+    const scalarField pores(voidFraction(mesh, g.value())*mesh.V());
+    const scalar top = mesh.bounds().max().z();
+    const scalar most = density*sum(pores*shares(mesh, box, top));
+
+    if (mass > most)
+    {
+        FatalIOErrorInFunction(settings)
+            << mass << " kg of water do not fit: the box " << box
+            << " extended to the top of the mesh holds " << most << " kg."
+            << nl << "    Give less water, or a higher mesh."
+            << exit(FatalIOError);
+    }
+
+    scalar low = box.min().z();
+    scalar high = top;
+
+    while (high - low > 1e-12*mesh.bounds().mag())
+    {
+        const scalar level = 0.5*(low + high);
+        const bool above = density*sum(pores*shares(mesh, box, level)) > mass;
+        (above ? high : low) = level;
+    }
+
+    alpha.primitiveFieldRef() = shares(mesh, box, low);
+    alpha.write();
+
+    Info<< "Water: " << density*sum(pores*alpha.primitiveField())
+        << " kg, level at z = " << low << " m; top of the packing at "
+        << box.max().z() << " m" << nl << endl;
+
+    return 0;
+}
