@@ -153,7 +153,12 @@ void Foam::interphaseForces::prepare
     (
         porosity_.gather(fluid.pressureGradient)
     );
-    const scalarField dSauter(porosity_.sauterDiameter());
+    const scalarField dSauter
+    (
+        drag_->usesSauterDiameter()
+      ? porosity_.sauterDiameter()
+      : scalarField(n, 1)
+    );
 
     const bool withMass = !active_.subDict("virtualMass").found("model")
      || active_.subDict("virtualMass").get<word>("model") != "none";

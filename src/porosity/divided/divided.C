@@ -58,7 +58,12 @@ void Foam::porosityModels::divided::addShares
     cellWeights& weights
 ) const
 {
-    if (walker.outside(grain.position, grain.cell) < -grain.radius)
+    // Only the planes that the grain reaches can part it
+    FixedList<meshWalker::cut, 8> cuts;
+    const label nCuts =
+        walker.cuts(grain.position, grain.cell, grain.radius, cuts);
+
+    if (nCuts == 0)
     {
         weights.add(grain.cell, 1);
         return;
@@ -70,10 +75,25 @@ void Foam::porosityModels::divided::addShares
     // Cells met so far, few
     FixedList<label, nPoints> cells;
     FixedList<label, nPoints> counts;
-    label n = 0;
+    cells[0] = grain.cell;
+    counts[0] = 0;
+    label n = 1;
 
     for (const point& direction : points_)
     {
+        bool inside = nCuts <= cuts.size();
+        for (label c = 0; inside && c < nCuts; ++c)
+        {
+            inside =
+                grain.radius*(cuts[c].normal & direction) <= cuts[c].depth;
+        }
+
+        if (inside)
+        {
+            ++counts[0];
+            continue;
+        }
+
         point p(grain.position + grain.radius*direction);
         const meshWalker::place end = walker.walk(p, grain.cell);
 
@@ -98,6 +118,9 @@ void Foam::porosityModels::divided::addShares
 
     for (label i = 0; i < n; ++i)
     {
-        weights.add(cells[i], counts[i]*share);
+        if (counts[i])
+        {
+            weights.add(cells[i], counts[i]*share);
+        }
     }
 }
