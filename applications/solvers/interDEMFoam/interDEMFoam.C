@@ -58,6 +58,9 @@ int main(int argc, char *argv[])
 
     const stopSignal stop;
 
+    // The fluid step as the Courant numbers have it [s]
+    scalar wanted = runTime.deltaTValue();
+
     Info<< "\nStarting time loop\n" << endl;
 
     while (runTime.run())
