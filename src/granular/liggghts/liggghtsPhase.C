@@ -176,6 +176,9 @@ void Foam::liggghtsPhase::createGrains()
     {
         Info<< "    from " << state << endl;
         liggghts_.command("read_restart " + state);
+
+        // Not part of a written state. The physics script may choose another
+        liggghts_.command("communicate single vel yes");
         restarted_ = true;
     }
     else
