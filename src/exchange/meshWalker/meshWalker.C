@@ -10,6 +10,7 @@
 Foam::meshWalker::meshWalker(const polyMesh& mesh)
 :
     mesh_(mesh),
+    tolerance_(1e-10*mesh.bounds().mag()),
     start_(mesh.nCells() + 1, Zero),
     neighbourRank_(mesh.nFaces() - mesh.nInternalFaces(), -1),
     neighbourCell_(neighbourRank_.size(), -1),
@@ -107,12 +108,12 @@ Foam::meshWalker::place Foam::meshWalker::walk
 {
     place here{Pstream::myProcNo(), from};
 
-    // A point on an edge must not send the walk round in circles
+    // Some irregular cells could send the walk round in circles
     const label most = 1000;
 
     for (label step = 0; step < most; ++step)
     {
-        scalar furthest = 0;
+        scalar furthest = tolerance_;
         label next = -1;
 
         for (label i = start_[here.cell]; i < start_[here.cell + 1]; ++i)
