@@ -154,6 +154,9 @@ void Foam::liggghtsPhase::createGrains()
 {
     fixFluidForce::addStyle(&*liggghts_);
 
+    // Contacts with history need it, and a written state does not keep it
+    liggghts_.command("newton off");
+
     const string boundary(liggghtsWalls::boundary(mesh_));
     liggghts_.command("boundary " + boundary);
 
