@@ -15,7 +15,7 @@ Foam::autoPtr<Foam::porosityModel> Foam::porosityModel::New
     const dictionary& dict
 )
 {
-    const word modelType(dict.lookupOrDefault<word>("model", "divided"));
+    const word modelType(dict.lookupOrDefault<word>("model", "caps"));
 
     auto cstrIter = dictionaryConstructorTablePtr_->cfind(modelType);
 
