@@ -99,12 +99,6 @@ Foam::interphaseForces::interphaseForces
 }
 
 
-Foam::dictionary Foam::interphaseForces::active() const
-{
-    return active_;
-}
-
-
 void Foam::interphaseForces::setTorque
 (
     const label i,
@@ -160,10 +154,8 @@ void Foam::interphaseForces::prepare
       : scalarField(n, 1)
     );
 
-    const bool withMass = !active_.subDict("virtualMass").found("model")
-     || active_.subDict("virtualMass").get<word>("model") != "none";
     vectorField convection(n, Zero);
-    if (withMass)
+    if (active_.subDict("virtualMass").get<word>("model") != "none")
     {
         convection =
             porosity_.gather(vectorField(rho_*fluid.convection))/rhoAround_;

@@ -7,12 +7,20 @@
 #include "Time.H"
 #include "grainSnapshot.H"
 
+bool Foam::grainCoupling::moving = true;
+
+
 Foam::grainCoupling::grainCoupling(const fvMesh& mesh, const vector& g)
 :
     mesh_(mesh),
     g_(g),
     elapsed_(0)
 {
+    if (!moving)
+    {
+        return;
+    }
+
     IOobject io
     (
         "granularProperties",
