@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bringing grains to the ranks of their cells, and results back.
+
+#include "grainExchange.H"
+#include "scatteredGrains.H"
+#include "testNumber.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+
+namespace
+{
+
+testBox box()
+{
+    testBox b;
+    b.cells = labelVector(8, 5, 6);
+    return b;
+}
+
+
+//- Points of the unit cube, moved as skew() moves the mesh
+pointField skewedPoints(const label n)
+{
+    pointField points(randomPoints(n));
+
+    for (point& p : points)
+    {
+        p.x() += 0.4*p.z();
+    }
+
+    return points;
+}
+
+
+//- Every grain is on one rank, in the cell where OpenFOAM has it
+void expectRightCells(testMesh& test, const pointField& places)
+{
+    standingGrains phase(test.mesh());
+    place(phase, places, 0.01);
+
+    grainExchange exchange(test.mesh());
+    exchange.locate(phase);
+
+    EXPECT_EQ
+    (
+        returnReduce(exchange.grains().size(), sumOp<label>()),
+        places.size()
+    );
+    EXPECT_EQ(exchange.nOutside(), 0);
+
+    label nWrong = 0;
+    for (const locatedGrain& grain : exchange.grains())
+    {
+        nWrong += grain.cell != test.mesh().findCell(places[grain.id]);
+    }
+    testNumber("grains in another cell", nWrong);
+    EXPECT_EQ(nWrong, 0);
+}
+
+
+//- What is brought to the cells and back is what it was
+void expectThereAndBack(testMesh& test)
+{
+    standingGrains phase(test.mesh());
+    place(phase, randomPoints(500), 0.01);
+
+    grainExchange exchange(test.mesh());
+    exchange.locate(phase);
+
+    const List<vector> there(exchange.toCells(phase.grains.U));
+    forAll(there, i)
+    {
+        EXPECT_EQ(there[i], exchange.grains()[i].velocity);
+        EXPECT_EQ(there[i].x(), exchange.grains()[i].id);
+    }
+
+    const vectorField back
+    (
+        exchange.toPhase(vectorField(there), phase.size())
+    );
+    EXPECT_EQ(back, phase.grains.U);
+}
+
+} // End anonymous namespace
+
+
+TEST(grainExchange, findsTheCellThatOpenFOAMFinds)
+{
+    testMesh test(box());
+    expectRightCells(test, randomPoints(500));
+}
+
+
+TEST(grainExchange, findsTheCellInASkewedAndGradedMesh)
+{
+    testMesh test(box());
+    skew(test.mesh());
+    expectRightCells(test, skewedPoints(500));
+}
+
+
+TEST(grainExchange, bringsValuesThereAndBack)
+{
+    testMesh test(box());
+    expectThereAndBack(test);
+}
+
+
+TEST(grainExchange, aGrainOutsideIsAnErrorWithItsId)
+{
+    testMesh test(box());
+    standingGrains phase(test.mesh());
+    place(phase, pointField({{0.5, 0.5, 0.5}, {0.5, 1.2, 0.5}}), 0.01);
+    grainExchange exchange(test.mesh());
+
+    try
+    {
+        exchange.locate(phase);
+        FAIL() << "no error";
+    }
+    catch (const Foam::error& e)
+    {
+        EXPECT_NE(e.message().find("Grain 1 is outside"), std::string::npos);
+        EXPECT_NE(e.message().find("(0.5 1.2 0.5)"), std::string::npos);
+    }
+}
+
+
+TEST(grainExchange, aGrainBeyondAPeriodicSideIsInTheCellOfItsImage)
+{
+    testBox b(box());
+    b.patches = {"cyclic", "cyclic", "wall", "wall", "wall", "wall"};
+    testMesh test(b);
+    standingGrains phase(test.mesh());
+    place(phase, pointField({{1.05, 0.5, 0.4}, {-2.95, 0.5, 0.4}}), 0.01);
+
+    grainExchange exchange(test.mesh());
+    exchange.locate(phase);
+
+    ASSERT_EQ(exchange.grains().size(), 2);
+    EXPECT_NEAR(exchange.grains()[0].position.x(), 0.05, 1e-12);
+    EXPECT_EQ
+    (
+        exchange.grains()[0].cell,
+        test.mesh().findCell(point(0.05, 0.5, 0.4))
+    );
+    EXPECT_EQ(exchange.grains()[1].cell, exchange.grains()[0].cell);
+}
+
+
+TEST(ParallelGrainExchange, eachGrainIsOnOneRankInItsCell)
+{
+    testMesh test(box());
+    expectRightCells(test, randomPoints(500));
+}
+
+
+TEST(ParallelGrainExchange, eachGrainIsInItsCellOfASkewedMesh)
+{
+    testMesh test(box());
+    skew(test.mesh());
+    expectRightCells(test, skewedPoints(500));
+}
+
+
+TEST(ParallelGrainExchange, bringsValuesThereAndBack)
+{
+    testMesh test(box());
+    expectThereAndBack(test);
+}
