@@ -3,6 +3,8 @@
 
 #include "granularPhase.H"
 
+#include "keywords.H"
+
 namespace Foam
 {
     defineTypeNameAndDebug(granularPhase, 0);
@@ -29,7 +31,8 @@ Foam::granularPhase::granularPhase(const fvMesh& mesh, const dictionary& dict)
     coarseGraining_(dict.lookupOrDefault<scalar>("coarseGraining", 1)),
     stepsPerExchange_
     (
-        dict.subOrEmptyDict("exchange").lookupOrDefault<label>("interval", 10)
+        keywords::sub(dict, "exchange", {"interval"})
+            .lookupOrDefault<label>("interval", 10)
     )
 {
     if (coarseGraining_ < 1)
@@ -57,20 +60,22 @@ Foam::autoPtr<Foam::granularPhase> Foam::granularPhase::New
     const vector& g
 )
 {
-    const word modelType(dict.get<word>(typeName));
+    const auto& table = *dictionaryConstructorTablePtr_;
+    const word modelType
+    (
+        keywords::choice(dict, typeName, "granular method", table.sortedToc())
+    );
 
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(modelType);
+    keywords::check
+    (
+        dict,
+        {
+            "FoamFile", typeName, modelType, "coarseGraining", "exchange",
+            "porosity", "interphaseForces"
+        }
+    );
 
-    if (!cstrIter.found())
-    {
-        FatalIOErrorInFunction(dict)
-            << "Unknown " << typeName << " " << modelType << nl << nl
-            << "Valid choices: "
-            << dictionaryConstructorTablePtr_->sortedToc()
-            << exit(FatalIOError);
-    }
-
-    return cstrIter()(mesh, dict, g);
+    return table.cfind(modelType).val()(mesh, dict, g);
 }
 
 

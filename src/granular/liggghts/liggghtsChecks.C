@@ -4,6 +4,7 @@
 #include "liggghtsChecks.H"
 
 #include "liggghtsInstance.H"
+#include "liggghtsScript.H"
 #include "mathematicalConstants.H"
 #include "periodicity.H"
 
@@ -12,9 +13,85 @@
 #include <liggghts/atom.h>
 #include <liggghts/domain.h>
 #include <liggghts/fix.h>
+#include <liggghts/fix_mesh_surface.h>
 #include <liggghts/lammps.h>
 #include <liggghts/modify.h>
+#include <liggghts/tri_mesh.h>
 #include <liggghts/update.h>
+
+namespace
+{
+    using namespace Foam;
+
+    //- True where a point is on a wall of a script. A surface is looked at by
+    //  its bounds, and only if they are flat
+    bool isAt
+    (
+        const liggghtsScript::wall& wall,
+        LAMMPS_NS::Modify& modify,
+        const point& p,
+        const scalar tolerance
+    )
+    {
+        if (wall.normal >= 0)
+        {
+            return mag(p[wall.normal] - wall.at) < tolerance;
+        }
+
+        for (const word& name : wall.surfaces)
+        {
+            const int at = modify.find_fix(name.c_str());
+            auto* surface = at < 0 ? nullptr
+              : dynamic_cast<LAMMPS_NS::FixMeshSurface*>(modify.fix[at]);
+
+            if (surface)
+            {
+                boundBox box;
+                surface->triMesh()->getGlobalBoundingBox()
+                    .getBoxBounds(&box.min()[0], &box.max()[0]);
+
+                const bool flat = box.minDim() < tolerance;
+                box.min() -= vector::uniform(tolerance);
+                box.max() += vector::uniform(tolerance);
+
+                if (flat && box.contains(p))
+                {
+                    return true;
+                }
+            }
+        }
+
+        return false;
+    }
+
+    //- True where all corners of a face of the patch are on the wall
+    bool hasFace
+    (
+        const liggghtsScript::wall& wall,
+        LAMMPS_NS::Modify& modify,
+        const polyPatch& patch,
+        const scalar tolerance
+    )
+    {
+        for (const face& f : patch.localFaces())
+        {
+            bool on = true;
+            for (const label p : f)
+            {
+                on = on
+                 && isAt(wall, modify, patch.localPoints()[p], tolerance);
+            }
+
+            if (on)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+}
+
 
 void Foam::liggghtsChecks::units
 (
@@ -47,12 +124,25 @@ void Foam::liggghtsChecks::boundary
 
     for (label k = 0; k < 3; ++k)
     {
+        // LIGGGHTS knows boundaries that follow the grains as well
+        const bool moving = !periodic[k]
+         && (domain.boundary[k][0] != 1 || domain.boundary[k][1] != 1);
+
+        if (moving)
+        {
+            FatalErrorInFunction
+                << "The box of the grains changes along " << "xyz"[k] << nl
+                << "    Its boundary comes from the patches of the mesh (here: "
+                << boundary << "). Take the command 'boundary' out of "
+                << script << exit(FatalError);
+        }
+
         if (periodic[k] != (boundary[2*k] == 'p'))
         {
             FatalErrorInFunction
                 << "The grains are " << (periodic[k] ? "" : "not ")
                 << "periodic along " << "xyz"[k] << ", the mesh is "
-                << (periodic[k] ? "not" : "") << nl
+                << (periodic[k] ? "not" : "periodic") << nl
                 << "    The boundary of the grains comes from the patches of"
                 << " the mesh (here: " << boundary << "). Take the command"
                 << " 'boundary' out of " << script << exit(FatalError);
@@ -124,7 +214,7 @@ void Foam::liggghtsChecks::noOwnFixes
     const fileName& script
 )
 {
-    const LAMMPS_NS::Modify& modify = *liggghts->modify;
+    LAMMPS_NS::Modify& modify = *liggghts->modify;
 
     for (label i = 0; i < modify.nfix; ++i)
     {
@@ -134,6 +224,38 @@ void Foam::liggghtsChecks::noOwnFixes
                 << script << " sets gravity (fix " << modify.fix[i]->id << ")."
                 << nl << "    Grains and water take it from constant/g: take"
                 << " the fix out." << exit(FatalError);
+        }
+    }
+}
+
+
+void Foam::liggghtsChecks::noOwnWall
+(
+    liggghtsInstance& liggghts,
+    const polyPatch& patch,
+    const fileName& script
+)
+{
+    LAMMPS_NS::Modify& modify = *liggghts->modify;
+    const scalar tolerance = 1e-6*patch.boundaryMesh().mesh().bounds().mag();
+
+    for (const liggghtsScript::wall& wall : liggghtsScript::walls(script))
+    {
+        if
+        (
+            returnReduce
+            (
+                hasFace(wall, modify, patch, tolerance), orOp<bool>()
+            )
+        )
+        {
+            FatalErrorInFunction
+                << "Patch " << patch.name() << " is a wall of the grains twice:"
+                << " fix " << wall.fix << " of " << script
+                << " stands where the patch makes one." << nl
+                << "    Take the fix out, or name in LIGGGHTS/walls/patches of"
+                << " constant/granularProperties the other patches only."
+                << exit(FatalError);
         }
     }
 }
@@ -188,6 +310,9 @@ void Foam::liggghtsChecks::timeStep
 
     if (!young || !poisson)
     {
+        Info<< "    DEM step " << update.dt << " s, not compared with the"
+            << " Rayleigh time: " << script << " gives no Young's modulus"
+            << " and Poisson's ratio" << endl;
         return;
     }
 

@@ -11,21 +11,52 @@
 
 #include <climits>
 #include <cstdlib>
-#include <deque>
-#include <fstream>
 #include <iostream>
 
 #include <liggghts/lammps.h>
 #include <liggghts/library.h>
-#include <liggghts/timer.h>
-#include <liggghts/update.h>
 #include <liggghts/integrate.h>
+#include <liggghts/timer.h>
+#include <liggghts/universe.h>
+#include <liggghts/update.h>
 
 namespace
 {
     // What showWhyItStopped() needs after main() has ended
     std::string logPath;
     std::string busyWith;
+    const Foam::lastWords* heard = nullptr;
+
+    //- Write what LIGGGHTS was doing and its last words, where it ended the
+    //  program
+    void showWhyItStopped()
+    {
+        if (busyWith.empty() || !heard)
+        {
+            return;
+        }
+
+        std::cerr
+            << "\n--> FOAM FATAL ERROR:\nLIGGGHTS stopped the run in: "
+            << busyWith << "\nIts last words (all are in " << logPath << "):\n";
+
+        for (const std::string& line : heard->lines())
+        {
+            std::cerr << "    " << line << '\n';
+        }
+
+        std::cerr << std::flush;
+        busyWith.clear();
+    }
+
+    //- LIGGGHTS ends the program by exit() on all ranks, if all met the error
+    void showOnce()
+    {
+        if (Foam::Pstream::master())
+        {
+            showWhyItStopped();
+        }
+    }
 
     //- Names what LIGGGHTS is doing while it does it
     struct nowDoing
@@ -59,60 +90,16 @@ namespace
             std::cerr.rdbuf(shown_);
         }
     };
-
-    //- A serial OpenFOAM run starts no MPI, and LIGGGHTS needs it
-    void finaliseMPI()
-    {
-        int done = 0;
-        MPI_Finalized(&done);
-        if (!done)
-        {
-            MPI_Finalize();
-        }
-    }
-
-    void initialiseMPI()
-    {
-        int done = 0;
-        MPI_Initialized(&done);
-        if (!done)
-        {
-            MPI_Init(nullptr, nullptr);
-            std::atexit(finaliseMPI);
-        }
-    }
 }
 
 
-void Foam::liggghtsInstance::showWhyItStopped()
+//- LIGGGHTS ends the program by MPI_Abort, if one rank alone met the error. MPI
+//  lets a program stand before its functions, under whose own names they start
+//  with PMPI
+extern "C" int MPI_Abort(MPI_Comm comm, int code)
 {
-    if (busyWith.empty() || !Pstream::master())
-    {
-        return;
-    }
-
-    std::deque<std::string> last;
-    std::ifstream log(logPath);
-
-    for (std::string line; std::getline(log, line);)
-    {
-        last.push_back(line);
-        if (last.size() > 8)
-        {
-            last.pop_front();
-        }
-    }
-
-    std::cerr
-        << "\n--> FOAM FATAL ERROR:\nLIGGGHTS stopped the run in: " << busyWith
-        << "\nThe last lines of its log " << logPath << ":\n";
-
-    for (const std::string& line : last)
-    {
-        std::cerr << "    " << line << '\n';
-    }
-
-    std::cerr << std::flush;
+    showWhyItStopped();
+    return PMPI_Abort(comm, code);
 }
 
 
@@ -120,12 +107,14 @@ Foam::liggghtsInstance::liggghtsInstance(const fileName& logFile)
 :
     lmp_(nullptr)
 {
-    initialiseMPI();
+    // A serial OpenFOAM run starts no MPI, and LIGGGHTS needs it
+    UPstream::initNull();
 
-    static const bool registered = !std::atexit(showWhyItStopped);
+    static const bool registered = !std::atexit(showOnce);
     (void)registered;
 
     logPath = logFile;
+    heard = &lastWords_;
 
     std::string log(logFile);
     char name[] = "liggghts", logFlag[] = "-log", screenFlag[] = "-screen";
@@ -141,6 +130,14 @@ Foam::liggghtsInstance::liggghtsInstance(const fileName& logFile)
     void* opened = nullptr;
     lammps_open(5, args, MPI_COMM_WORLD, &opened);
     lmp_ = static_cast<LAMMPS_NS::LAMMPS*>(opened);
+
+    // On every rank, in place of the file opened on the first
+    if (lmp_->screen)
+    {
+        std::fclose(lmp_->screen);
+    }
+    lmp_->screen = lmp_->universe->uscreen = lastWords_.screen();
+    lammps_command(lmp_, const_cast<char*>("echo both"));
 }
 
 
@@ -148,6 +145,7 @@ Foam::liggghtsInstance::~liggghtsInstance()
 {
     const fpeGuard guard;
     lammps_close(lmp_);
+    heard = nullptr;
 }
 
 

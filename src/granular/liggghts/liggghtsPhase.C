@@ -7,6 +7,7 @@
 #include "Time.H"
 #include "addToRunTimeSelectionTable.H"
 #include "fixFluidForce.H"
+#include "keywords.H"
 #include "liggghtsChecks.H"
 
 #include <sstream>
@@ -46,13 +47,22 @@ Foam::liggghtsPhase::liggghtsPhase
 )
 :
     granularPhase(mesh, dict),
-    dict_(dict.subDict(typeName)),
+    dict_
+    (
+        keywords::sub
+        (
+            dict, typeName, {"initial", "physics", "walls", "outflow"}
+        )
+    ),
     g_(g),
     initialScript_(script(mesh, dict_, "initial")),
     physicsScript_(script(mesh, dict_, "physics")),
-    outflow_(dict_.lookupOrDefault<wordRes>("outflow", wordRes())),
+    outflow_
+    (
+        keywords::patterns(dict_, "outflow", mesh.boundaryMesh().names())
+    ),
     liggghts_(mesh.time().globalPath()/"log.liggghts"),
-    walls_(mesh, dict_.subOrEmptyDict("walls"), physicsScript_),
+    walls_(mesh, keywords::sub(dict_, "walls"), physicsScript_),
     fluid_(nullptr),
     restarted_(false),
     nGrains_(0),

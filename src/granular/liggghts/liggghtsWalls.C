@@ -7,12 +7,14 @@
 #include "OFstream.H"
 #include "OSspecific.H"
 #include "Time.H"
+#include "keywords.H"
+#include "liggghtsChecks.H"
 #include "liggghtsInstance.H"
+#include "liggghtsScript.H"
 #include "periodicity.H"
 #include "wallPolyPatch.H"
 
 #include <fstream>
-#include <regex>
 
 Foam::liggghtsWalls::liggghtsWalls
 (
@@ -22,11 +24,14 @@ Foam::liggghtsWalls::liggghtsWalls
 )
 :
     mesh_(mesh),
+    script_(script),
     patches_
     (
-        dict.lookupOrDefault<wordRes>
+        keywords::patterns
         (
+            dict,
             "patches",
+            mesh.boundaryMesh().names(),
             wordRes({wordRe(".*", wordRe::REGEX)})
         )
     ),
@@ -35,36 +40,11 @@ Foam::liggghtsWalls::liggghtsWalls
     (
         dict.found("contactModel")
       ? dict.get<string>("contactModel")
-      : contactModel(script)
+      : liggghtsScript::contactModel(script)
     ),
     nWalls_(0)
-{}
-
-
-Foam::string Foam::liggghtsWalls::contactModel(const fileName& script)
 {
-    // A line ending in & goes on in the next
-    std::ifstream is(script);
-    std::string text
-    (
-        (std::istreambuf_iterator<char>(is)),
-        std::istreambuf_iterator<char>()
-    );
-    text = std::regex_replace(text, std::regex("&[ \t]*\n"), " ");
-
-    const std::regex pairStyle("(^|\n)[ \t]*pair_style[ \t]+gran[ \t]+([^#\n]*)");
-    std::smatch found;
-
-    if (!std::regex_search(text, found, pairStyle))
-    {
-        FatalErrorInFunction
-            << "No line 'pair_style gran ...' in " << script << nl
-            << "    The walls take the contact model from it. Give one, or"
-            << " LIGGGHTS/walls/contactModel in constant/granularProperties."
-            << exit(FatalError);
-    }
-
-    return found.str(2);
+    keywords::check(dict, {"patches", "type", "contactModel"});
 }
 
 
@@ -225,6 +205,8 @@ void Foam::liggghtsWalls::add(liggghtsInstance& liggghts)
         {
             continue;
         }
+
+        liggghtsChecks::noOwnWall(liggghts, patch, script_);
 
         const labelList on(sides(patch));
 

@@ -3,23 +3,7 @@
 
 #include "closure.H"
 #include "error.H"
-
-namespace
-{
-
-//- Words in one line, for a person to read
-std::string listed(const Foam::wordList& words)
-{
-    std::string line;
-    for (const Foam::word& word : words)
-    {
-        line += ' ' + word;
-    }
-    return words.empty() ? " none" : line;
-}
-
-} // End anonymous namespace
-
+#include "keywords.H"
 
 Foam::scalar Foam::closure::strength(const dictionary& dict)
 {
@@ -58,48 +42,11 @@ void Foam::closure::checkKeywords
     const wordList& own
 )
 {
-    for (const word& keyword : dict.toc())
-    {
-        if (!own.found(keyword))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Unknown keyword " << keyword << " in " << dict.name()
-                << nl << "Settings of this law:" << listed(own).c_str() << nl
-                << "Beside them, where the law is chosen: model strength"
-                << " (for drag also: base baseSettings)"
-                << exit(FatalIOError);
-        }
-    }
-}
-
-
-Foam::word Foam::closure::validName
-(
-    const dictionary& dict,
-    const word& keyword,
-    const string& what,
-    const wordList& valid
-)
-{
-    if (!dict.found(keyword))
-    {
-        FatalIOErrorInFunction(dict)
-            << "The keyword " << keyword << ", which names a " << what.c_str()
-            << ", is missing in " << dict.name() << nl
-            << "Valid names:" << listed(valid).c_str()
-            << exit(FatalIOError);
-    }
-
-    const word name(dict.get<word>(keyword));
-
-    if (!valid.found(name))
-    {
-        FatalIOErrorInFunction(dict)
-            << "There is no " << what.c_str() << " named " << name
-            << " (keyword " << keyword << " in " << dict.name() << ')' << nl
-            << "Valid names:" << listed(valid).c_str()
-            << exit(FatalIOError);
-    }
-
-    return name;
+    keywords::check
+    (
+        dict,
+        own,
+        "\nBeside them, where the law is chosen: model strength"
+        " (for drag also: base baseSettings)"
+    );
 }

@@ -17,7 +17,7 @@ namespace
         const word& defaultModel
     )
     {
-        dictionary settings(dict.subOrEmptyDict(name));
+        dictionary settings(keywords::sub(dict, name));
 
         if (!settings.found("model"))
         {
@@ -60,12 +60,18 @@ Foam::interphaseForces::interphaseForces
     ),
     pressureGradientStrength_
     (
-        closure::strength(dict.subOrEmptyDict("pressureGradient"))
+        closure::strength
+        (
+            keywords::sub(dict, "pressureGradient", {"strength"})
+        )
     ),
     viscousForceStrength_
     (
         dict.found("viscousForce")
-      ? closure::strength(dict.subDict("viscousForce"))
+      ? closure::strength
+        (
+            keywords::sub(dict, "viscousForce", {"strength"})
+        )
       : 0
     ),
     dragCoefficient_(exchange.mesh().nCells(), Zero),
@@ -86,16 +92,7 @@ Foam::interphaseForces::interphaseForces
     viscousForce.add("strength", viscousForceStrength_);
     active_.add("viscousForce", viscousForce);
 
-    for (const entry& e : dict)
-    {
-        if (!active_.found(e.keyword()))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Unknown family of forces " << e.keyword() << nl << nl
-                << "Valid choices: " << active_.sortedToc()
-                << exit(FatalIOError);
-        }
-    }
+    keywords::check(dict, active_.sortedToc());
 }
 
 

@@ -4,6 +4,7 @@
 #include "diffusion.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "keywords.H"
 #include "surfaceFields.H"
 #include "syncTools.H"
 #include "volFields.H"
@@ -31,6 +32,8 @@ Foam::smoothingModels::diffusion::diffusion
     step_(0),
     nSteps_(0)
 {
+    keywords::check(dict, {"model", "width"});
+
     if (width_ < 0)
     {
         FatalIOErrorInFunction(dict)

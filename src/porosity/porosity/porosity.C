@@ -3,6 +3,7 @@
 
 #include "porosity.H"
 
+#include "keywords.H"
 #include "mathematicalConstants.H"
 #include "syncTools.H"
 
@@ -12,7 +13,7 @@ Foam::porosity::porosity(const grainExchange& exchange, const dictionary& dict)
     model_(porosityModel::New(dict)),
     smoothing_
     (
-        smoothingModel::New(exchange.mesh(), dict.subOrEmptyDict("smoothing"))
+        smoothingModel::New(exchange.mesh(), keywords::sub(dict, "smoothing"))
     ),
     minimum_(dict.lookupOrDefault<scalar>("minimum", 0.3)),
     weights_(exchange.walker(), exchange.mesh().nCells()),
@@ -20,6 +21,8 @@ Foam::porosity::porosity(const grainExchange& exchange, const dictionary& dict)
     spreadVolume_(0),
     totalVolume_(0)
 {
+    keywords::check(dict, {"model", "minimum", "smoothing"});
+
     if (minimum_ <= 0 || minimum_ >= 1)
     {
         FatalIOErrorInFunction(dict)

@@ -3,6 +3,8 @@
 
 #include "porosityModel.H"
 
+#include "keywords.H"
+
 namespace Foam
 {
     defineTypeNameAndDebug(porosityModel, 0);
@@ -15,18 +17,14 @@ Foam::autoPtr<Foam::porosityModel> Foam::porosityModel::New
     const dictionary& dict
 )
 {
-    const word modelType(dict.lookupOrDefault<word>("model", "caps"));
+    const auto& table = *dictionaryConstructorTablePtr_;
+    const word modelType
+    (
+        keywords::choice
+        (
+            dict, "model", "porosity model", table.sortedToc(), "caps"
+        )
+    );
 
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(modelType);
-
-    if (!cstrIter.found())
-    {
-        FatalIOErrorInFunction(dict)
-            << "Unknown " << typeName << " model " << modelType << nl << nl
-            << "Valid choices: "
-            << dictionaryConstructorTablePtr_->sortedToc()
-            << exit(FatalIOError);
-    }
-
-    return cstrIter()(dict);
+    return table.cfind(modelType).val()(dict);
 }

@@ -3,6 +3,8 @@
 
 #include "smoothingModel.H"
 
+#include "keywords.H"
+
 namespace Foam
 {
     defineTypeNameAndDebug(smoothingModel, 0);
@@ -16,18 +18,14 @@ Foam::autoPtr<Foam::smoothingModel> Foam::smoothingModel::New
     const dictionary& dict
 )
 {
-    const word modelType(dict.lookupOrDefault<word>("model", "diffusion"));
+    const auto& table = *dictionaryConstructorTablePtr_;
+    const word modelType
+    (
+        keywords::choice
+        (
+            dict, "model", "smoothing", table.sortedToc(), "diffusion"
+        )
+    );
 
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(modelType);
-
-    if (!cstrIter.found())
-    {
-        FatalIOErrorInFunction(dict)
-            << "Unknown " << typeName << " model " << modelType << nl << nl
-            << "Valid choices: "
-            << dictionaryConstructorTablePtr_->sortedToc()
-            << exit(FatalIOError);
-    }
-
-    return cstrIter()(mesh, dict);
+    return table.cfind(modelType).val()(mesh, dict);
 }

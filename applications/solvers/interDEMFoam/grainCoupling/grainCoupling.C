@@ -4,8 +4,10 @@
 #include "grainCoupling.H"
 
 #include "IOdictionary.H"
+#include "OSspecific.H"
 #include "Time.H"
 #include "grainSnapshot.H"
+#include "keywords.H"
 
 bool Foam::grainCoupling::moving = true;
 
@@ -30,20 +32,24 @@ Foam::grainCoupling::grainCoupling(const fvMesh& mesh, const vector& g)
         IOobject::NO_WRITE
     );
 
-    if (!io.typeHeaderOk<IOdictionary>(true))
+    // A file that is there is read, or told to be wrong
+    const fileName path
+    (
+        mesh.time().globalPath()/mesh.time().constant()/io.name()
+    );
+    if (!returnReduce(isFile(path), orOp<bool>()))
     {
         Info<< "No constant/granularProperties: no grains" << nl << endl;
         return;
     }
 
     const IOdictionary dict(io);
-    checkKeywords(dict);
 
     phase_ = granularPhase::New(mesh, dict, g);
     exchange_.reset(new grainExchange(mesh));
     porosity_.reset
     (
-        new porosity(*exchange_, dict.subOrEmptyDict("porosity"))
+        new porosity(*exchange_, keywords::sub(dict, "porosity"))
     );
     forces_.reset
     (
@@ -51,7 +57,7 @@ Foam::grainCoupling::grainCoupling(const fvMesh& mesh, const vector& g)
         (
             *exchange_,
             *porosity_,
-            dict.subOrEmptyDict("interphaseForces"),
+            keywords::sub(dict, "interphaseForces"),
             g,
             phase_->coarseGraining(),
             phase_->mobile()

@@ -6,27 +6,6 @@
 #include "Time.H"
 #include "wallPolyPatch.H"
 
-void Foam::grainCoupling::checkKeywords(const dictionary& dict) const
-{
-    const HashSet<word> valid
-    {
-        "FoamFile", "granularPhase", "LIGGGHTS", "coarseGraining", "exchange",
-        "porosity", "interphaseForces"
-    };
-
-    for (const entry& e : dict)
-    {
-        if (!valid.found(e.keyword()))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Unknown keyword " << e.keyword() << nl << nl
-                << "Valid choices: " << valid.sortedToc() << nl
-                << exit(FatalIOError);
-        }
-    }
-}
-
-
 void Foam::grainCoupling::checkRegime() const
 {
     scalar largest = 0;

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a dictionary may hold: the one check of all keywords and choices.
+
+#include "keywords.H"
+
+#include "error.H"
+
+Foam::string Foam::keywords::listed(const wordList& words)
+{
+    string line;
+    for (const word& w : words)
+    {
+        line += ' ' + w;
+    }
+
+    return words.empty() ? string(" none") : line;
+}
+
+
+void Foam::keywords::check
+(
+    const dictionary& dict,
+    const wordList& valid,
+    const string& hint
+)
+{
+    for (const word& keyword : dict.toc())
+    {
+        if (!valid.found(keyword))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Unknown keyword " << keyword << " in " << dict.name()
+                << nl << "Valid keywords:" << listed(valid).c_str()
+                << hint.c_str() << exit(FatalIOError);
+        }
+    }
+}
+
+
+Foam::dictionary Foam::keywords::sub
+(
+    const dictionary& dict,
+    const word& keyword
+)
+{
+    if (dict.found(keyword) && !dict.isDict(keyword))
+    {
+        FatalIOErrorInFunction(dict)
+            << keyword << " in " << dict.name() << " is no dictionary" << nl
+            << "    Its settings stand in braces: " << keyword << " { ... }"
+            << exit(FatalIOError);
+    }
+
+    return dict.subOrEmptyDict(keyword);
+}
+
+
+Foam::dictionary Foam::keywords::sub
+(
+    const dictionary& dict,
+    const word& keyword,
+    const wordList& valid
+)
+{
+    const dictionary settings(sub(dict, keyword));
+    check(settings, valid);
+
+    return settings;
+}
+
+
+Foam::word Foam::keywords::choice
+(
+    const dictionary& dict,
+    const word& keyword,
+    const string& what,
+    const wordList& valid,
+    const word& byDefault
+)
+{
+    if (!dict.found(keyword) && byDefault.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "The keyword " << keyword << ", which names a " << what.c_str()
+            << ", is missing in " << dict.name() << nl
+            << "Valid names:" << listed(valid).c_str()
+            << exit(FatalIOError);
+    }
+
+    const word name(dict.getOrDefault<word>(keyword, byDefault));
+
+    if (!valid.found(name))
+    {
+        FatalIOErrorInFunction(dict)
+            << "There is no " << what.c_str() << " named " << name
+            << " (keyword " << keyword << " in " << dict.name() << ')' << nl
+            << "Valid names:" << listed(valid).c_str()
+            << exit(FatalIOError);
+    }
+
+    return name;
+}
+
+
+Foam::wordRes Foam::keywords::patterns
+(
+    const dictionary& dict,
+    const word& keyword,
+    const wordList& valid,
+    const wordRes& byDefault
+)
+{
+    if (!dict.found(keyword))
+    {
+        return byDefault;
+    }
+
+    const wordRes result(dict.get<wordRes>(keyword));
+
+    for (const wordRe& pattern : result)
+    {
+        bool any = false;
+        for (const word& name : valid)
+        {
+            any = any || pattern.match(name);
+        }
+
+        if (!any)
+        {
+            FatalIOErrorInFunction(dict)
+                << pattern << " (keyword " << keyword << " in " << dict.name()
+                << ") is none of the names here" << nl
+                << "Valid names:" << listed(valid).c_str()
+                << exit(FatalIOError);
+        }
+    }
+
+    return result;
+}

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is read from the text of a LIGGGHTS script.
+
+#include "liggghtsScript.H"
+
+#include "error.H"
+
+#include <fstream>
+#include <cstdlib>
+#include <iterator>
+#include <regex>
+#include <sstream>
+
+std::string Foam::liggghtsScript::text(const fileName& script)
+{
+    std::ifstream is(script);
+    const std::string all
+    (
+        (std::istreambuf_iterator<char>(is)),
+        std::istreambuf_iterator<char>()
+    );
+
+    // A line ending in & goes on in the next
+    return std::regex_replace
+    (
+        std::regex_replace(all, std::regex("#[^\n]*"), ""),
+        std::regex("&[ \t]*\n"),
+        " "
+    );
+}
+
+
+Foam::string Foam::liggghtsScript::contactModel(const fileName& script)
+{
+    const std::string all(text(script));
+    const std::regex pairStyle("(^|\n)[ \t]*pair_style[ \t]+gran[ \t]+([^\n]*)");
+    std::smatch found;
+
+    if (!std::regex_search(all, found, pairStyle))
+    {
+        FatalErrorInFunction
+            << "No line 'pair_style gran ...' in " << script << nl
+            << "    The walls take the contact model from it. Give one, or"
+            << " LIGGGHTS/walls/contactModel in constant/granularProperties."
+            << exit(FatalError);
+    }
+
+    return found.str(2);
+}
+
+
+Foam::DynamicList<Foam::liggghtsScript::wall>
+Foam::liggghtsScript::walls(const fileName& script)
+{
+    const std::string all(text(script));
+    const std::regex fix
+    (
+        "(?:^|\n)[ \t]*fix[ \t]+([^ \t]+)[ \t]+[^ \t]+[ \t]+wall/gran[ \t]"
+        "([^\n]*)"
+    );
+    const std::regex plane("([xyz])plane[ \t]+([-+0-9.eE]+)");
+    const std::regex surfaces("meshes[ \t]+([^\n]*)");
+
+    DynamicList<wall> result;
+    for (std::sregex_iterator at(all.begin(), all.end(), fix), end; at != end; ++at)
+    {
+        wall found{word(at->str(1)), -1, 0, wordList()};
+        const std::string arguments(at->str(2));
+        std::smatch part;
+
+        if (std::regex_search(arguments, part, plane))
+        {
+            found.normal = part.str(1)[0] - 'x';
+            found.at = std::strtod(part.str(2).c_str(), nullptr);
+        }
+        else if (std::regex_search(arguments, part, surfaces))
+        {
+            std::istringstream names(part.str(1));
+            for (std::string name; names >> name;)
+            {
+                found.surfaces.append(word(name));
+            }
+        }
+
+        result.append(found);
+    }
+
+    return result;
+}
