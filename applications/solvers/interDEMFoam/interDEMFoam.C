@@ -12,6 +12,7 @@
 #include "fvOptions.H"
 #include "CorrectPhi.H"
 #include "grainCoupling.H"
+#include "slidingGate.H"
 #include "solverChecks.H"
 #include "stopSignal.H"
 #include "timeFolders.H"
