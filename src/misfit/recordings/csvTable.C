@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A CSV file: lines of comment (#), a line of column names, lines of numbers.
+
+#include "csvTable.H"
+#include "FlatOutput.H"
+#include "IFstream.H"
+#include "OSspecific.H"
+#include "DynamicList.H"
+#include "stringOps.H"
+
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+
+//- The cells of a line, without the spaces around them
+Foam::stringList cellsOf(const std::string& line)
+{
+    Foam::DynamicList<Foam::string> cells;
+    std::istringstream is(line + ',');
+    std::string cell;
+    while (std::getline(is, cell, ','))
+    {
+        cells.append(Foam::stringOps::trim(cell));
+    }
+    return Foam::stringList(std::move(cells));
+}
+
+
+//- The number in a cell; not a number if it holds anything else
+Foam::scalar number(const Foam::string& cell)
+{
+    char* end = nullptr;
+    const double value = std::strtod(cell.c_str(), &end);
+    return
+        cell.empty() || *end || !std::isfinite(value)
+      ? std::nan("") : value;
+}
+
+} // End anonymous namespace
+
+
+void Foam::misfit::csvTable::readNames(const std::string& line)
+{
+    names_ = cellsOf(line);
+    columns_.setSize(names_.size());
+
+    for (const string& name : names_)
+    {
+        if (!std::isnan(number(name)))
+        {
+            FatalErrorInFunction
+                << "The file " << file_ << " has no line of column names"
+                << " before its numbers. Give each column a name with its"
+                << " unit, for instance: t_s,p_Pa" << exit(FatalError);
+        }
+    }
+}
+
+
+void Foam::misfit::csvTable::readRow
+(
+    const std::string& line,
+    const label lineNumber
+)
+{
+    const stringList cells(cellsOf(line));
+    if (cells.size() != names_.size())
+    {
+        FatalErrorInFunction
+            << "Line " << lineNumber << " of " << file_ << " has "
+            << cells.size() << " cells for " << names_.size() << " columns "
+            << flatOutput(names_) << exit(FatalError);
+    }
+
+    forAll(cells, i)
+    {
+        const scalar value = number(cells[i]);
+        if (std::isnan(value))
+        {
+            FatalErrorInFunction
+                << "Line " << lineNumber << " of " << file_ << " holds \""
+                << cells[i].c_str() << "\" in the column " << names_[i]
+                << ", which is no finite number. Remove the line if nothing"
+                << " was recorded then" << exit(FatalError);
+        }
+        columns_[i].append(value);
+    }
+    lines_.append(lineNumber);
+}
+
+
+Foam::misfit::csvTable::csvTable(const fileName& file)
+:
+    file_(file)
+{
+    if (!isFile(file, false))
+    {
+        FatalErrorInFunction
+            << "There is no file " << file << exit(FatalError);
+    }
+
+    IFstream stream(file);
+    std::string line;
+    for (label n = 1; std::getline(stream.stdStream(), line); ++n)
+    {
+        const auto first = line.find_first_not_of(" \t\r");
+        if (first == std::string::npos || line[first] == '#')
+        {
+            continue;
+        }
+        if (names_.empty())
+        {
+            readNames(line);
+        }
+        else
+        {
+            readRow(line, n);
+        }
+    }
+
+    if (lines_.empty())
+    {
+        FatalErrorInFunction
+            << "The file " << file << " holds no numbers" << exit(FatalError);
+    }
+}
+
+
+Foam::label Foam::misfit::csvTable::find(const string& name) const
+{
+    forAll(names_, i)
+    {
+        const std::string& full = names_[i];
+        const auto end = full.find_first_of("_ [", name.size());
+        if (full == name || full.substr(0, end) == name)
+        {
+            return i;
+        }
+    }
+
+    FatalErrorInFunction
+        << "The file " << file_ << " has no column " << name
+        << ". Its columns: " << flatOutput(names_) << exit(FatalError);
+    return -1;
+}

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All that was recorded, of all experiments, and what each part is used for.
+
+#include "recordings.H"
+#include "keywords.H"
+#include "FlatOutput.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::misfit::recordings::readExperiments(const dictionary& dict)
+{
+    if (!dict.found("experiments"))
+    {
+        experiments_ = wordList(1, word("A"));
+        purposes_ = List<purpose>(1, purpose::fit);
+        return;
+    }
+
+    for (const entry& e : dict.subDict("experiments"))
+    {
+        keywords::check(e.dict(), {"use", "changes"});
+        experiments_.append(e.keyword());
+        purposes_.append
+        (
+            purposeNames
+            [
+                keywords::choice
+                (
+                    e.dict(), "use", "use", purposeNames.sortedToc(), "fit"
+                )
+            ]
+        );
+    }
+
+    if (experiments(purpose::fit).empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "None of the experiments " << experiments_ << " is there to be"
+            << " fitted: give one of them  use fit;" << exit(FatalIOError);
+    }
+}
+
+
+Foam::HashTable<Foam::misfit::purpose>
+Foam::misfit::recordings::readHeldOut(const dictionary& dict) const
+{
+    HashTable<purpose> held;
+    const dictionary lists
+    (
+        keywords::sub(dict, "heldOut", {"gate", "score"})
+    );
+
+    for (const entry& e : lists)
+    {
+        for (const word& name : lists.get<wordList>(e.keyword()))
+        {
+            if (!dict.subDict("channels").found(name))
+            {
+                FatalIOErrorInFunction(lists)
+                    << "heldOut names " << name << ", which is no channel."
+                    << " Channels: " << flatOutput(dict.subDict("channels").toc())
+                    << exit(FatalIOError);
+            }
+            if (!held.insert(name, purposeNames[e.keyword()]))
+            {
+                FatalIOErrorInFunction(lists)
+                    << "heldOut lists " << name << " twice. A channel either"
+                    << " gates or scores: name it once" << exit(FatalIOError);
+            }
+        }
+    }
+    return held;
+}
+
+
+void Foam::misfit::recordings::checkOnce(const dictionary& dict) const
+{
+    HashTable<word> seen;
+    for (const channel& c : channels_)
+    {
+        if (c.isRecorded() && !seen.insert(c.source(), c.name()))
+        {
+            FatalIOErrorInFunction(dict)
+                << "The channels " << seen[c.source()] << " and " << c.name()
+                << " are the same column " << c.source().c_str()
+                << ". What is held out must not be seen elsewhere: remove one"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::misfit::recordings::recordings
+(
+    const dictionary& dict,
+    const fileName& folder
+)
+{
+    readExperiments(dict);
+    const HashTable<purpose> held(readHeldOut(dict));
+    const label samples = dict.getOrDefault<label>("samples", 40);
+    if (samples < 5)
+    {
+        FatalIOErrorInFunction(dict)
+            << "samples is " << samples << "; a channel needs at least five to"
+            << " say when it parts from the simulation" << exit(FatalIOError);
+    }
+
+    for (const entry& e : dict.subDict("channels"))
+    {
+        const purpose use = held.lookup(e.keyword(), purpose::fit);
+        channels_.append
+        (
+            new channel(e.keyword(), e.dict(), use, folder, samples)
+        );
+
+        channel& c = channels_.last();
+        if (!experiments_.found(c.experiment()))
+        {
+            FatalIOErrorInFunction(e.dict())
+                << "The channel " << c.name() << " belongs to the experiment "
+                << c.experiment() << ", which is not there. Experiments: "
+                << flatOutput(experiments_) << exit(FatalIOError);
+        }
+        if (this->use(c.experiment()) != purpose::fit)
+        {
+            c.use(this->use(c.experiment()));
+        }
+    }
+    checkOnce(dict);
+
+    label toFit = 0;
+    for (const word& name : experiments(purpose::fit))
+    {
+        toFit += select(name, purpose::fit).size();
+    }
+    if (!toFit)
+    {
+        FatalIOErrorInFunction(dict)
+            << "No recorded channel is left to fit: all are held out, or have"
+            << " no file" << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
+
+Foam::misfit::purpose
+Foam::misfit::recordings::use(const word& experiment) const
+{
+    return purposes_[experiments_.find(experiment)];
+}
+
+
+Foam::wordList
+Foam::misfit::recordings::experiments(const purpose use) const
+{
+    wordList names;
+    forAll(experiments_, i)
+    {
+        if (purposes_[i] == use)
+        {
+            names.append(experiments_[i]);
+        }
+    }
+    return names;
+}
+
+
+Foam::labelList Foam::misfit::recordings::select
+(
+    const word& experiment,
+    const purpose use
+) const
+{
+    labelList chosen;
+    forAll(channels_, i)
+    {
+        const channel& c = channels_[i];
+        if (c.isRecorded() && c.experiment() == experiment && c.use() == use)
+        {
+            chosen.append(i);
+        }
+    }
+    return chosen;
+}
+
+
+void Foam::misfit::recordings::checkEnough
+(
+    const dictionary& dict,
+    const label unknowns
+) const
+{
+    label samples = 0;
+    for (const channel& c : channels_)
+    {
+        samples += c.use() == purpose::fit ? c.size() : 0;
+    }
+    if (samples < unknowns)
+    {
+        FatalIOErrorInFunction(dict)
+            << "The channels to fit have " << samples << " samples for "
+            << unknowns << " unknowns (parameters and two strengths)."
+            << " Record more, or fix some of the parameters"
+            << exit(FatalIOError);
+    }
+}
