@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs of misfitFoam: cases changed as asked, nothing done twice, nothing that
+// failed or was cut short taken for a result. A few lines of shell stand for
+// the solver.
+
+#include "solverPredictor.H"
+#include "testMesh.H"
+#include "placesInMesh.H"
+
+#include "IFstream.H"
+#include "IStringStream.H"
+#include "OSspecific.H"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+namespace
+{
+
+//- What is in a file
+std::string content(const fileName& file)
+{
+    std::ifstream is(file);
+    std::ostringstream os;
+    os << is.rdbuf();
+    return os.str();
+}
+
+
+//- A case whose "solver" writes a line: time, slope*time + lift; it counts its
+//  runs in a file beside the case
+class fakeCase
+{
+    std::string folder_ = "/tmp/misfitRuns.XXXXXX";
+
+public:
+
+    fakeCase()
+    {
+        if (!::mkdtemp(&folder_[0]))
+        {
+            ADD_FAILURE() << "no temporary folder";
+        }
+        for (const char* part : {"0.orig", "constant", "system"})
+        {
+            mkDir(folder_ + '/' + part);
+        }
+        write("0.orig/U", "uniform");
+        write("system/controlDict", "#include \"more\"\nendTime 2;\n");
+        write("system/more", "deltaT 1;\n");
+        write("constant/model", "a { slope 2; lift { model none; } }\n");
+        write("constant/script", "variable mu equal 0.5\nfix 1 mu ${mu}\n");
+        write
+        (
+            "system/solver",
+            "value() { sed -n \"s/.*$1  *\\([0-9.]*\\);.*/\\1/p\" constant/model; }\n"
+            "slope=$(value slope); lift=$(value strength)\n"
+            "echo x >> " + folder_ + "/count\n"
+            "[ \"$slope\" != 9 ] || { echo the time step is too long; exit 3; }\n"
+            "[ \"$slope\" != 8 ] || sleep 20\n"
+            "mkdir -p postProcessing/out/0 1\n"
+            "awk -v k=$slope -v l=${lift:-0} 'BEGIN { print \"# Time y\";"
+            " for (t = 0; t <= 2; ++t) print t, k*t + l }'"
+            " > postProcessing/out/0/out.dat\n"
+        );
+        write("r.csv", "t_s,y_m\n0,0\n1,2\n2,4\n");
+    }
+
+    ~fakeCase()
+    {
+        rmDir(folder_);
+    }
+
+    void write(const std::string& name, const std::string& text) const
+    {
+        std::ofstream(folder_ + '/' + name) << text;
+    }
+
+    fileName folder() const
+    {
+        return folder_;
+    }
+
+    //- Number of runs that were begun
+    label count() const
+    {
+        const std::string lines(content(folder_ + "/count"));
+        return std::count(lines.begin(), lines.end(), '\n');
+    }
+
+    dictionary dict(const std::string& more = "") const
+    {
+        IStringStream is
+        (
+            "commands (\"true\" \"bash system/solver\"); jobs 2; " + more
+          + "channels { y { file \"r.csv\"; quantity length; uncertainty 0.1;"
+            " simulated { type table; function out; file out.dat; column y; } } }"
+            "parameters { slope { mean 2; deviation 1; bounds (0 10);"
+            " changes ( { file \"constant/model\"; entry \"a/slope\"; } ); } }"
+            "candidates { lift { strengths (0.5 1); changes ("
+            " { file \"constant/model\"; entry \"a/lift/model\"; value LunLiu; }"
+            " { file \"constant/model\"; entry \"a/lift/strength\"; add true; }"
+            " ); } }"
+        );
+        return dictionary(is);
+    }
+};
+
+
+runState withSlope(const scalar slope, const scalar lift = 0)
+{
+    runState s;
+    s.parameters.insert("slope", slope);
+    s.strengths.insert("lift", lift);
+    return s;
+}
+
+
+//- The predictor of a fake case and what it needs
+struct fakePredictor
+{
+    dictionary dict;
+    recordings recorded;
+    solverPredictor predict;
+
+    explicit fakePredictor(const fakeCase& c, const std::string& more = "")
+    :
+        dict(c.dict(more)),
+        recorded(dict, c.folder()),
+        predict(recorded, c.folder(), dict)
+    {}
+
+    List<prediction> operator()(const List<runState>& states)
+    {
+        return predict.predict(states);
+    }
+};
+
+
+//- Predictions by a program that ends then
+List<prediction> once(const fakeCase& c, const List<runState>& states)
+{
+    fakePredictor predict(c);
+    return predict(states);
+}
+
+
+std::string refusal(const std::function<void()>& f)
+{
+    try
+    {
+        f();
+    }
+    catch (const Foam::error& e)
+    {
+        return e.message();
+    }
+    return "nothing";
+}
+
+
+caseChange change(const std::string& text)
+{
+    IStringStream is(text);
+    return caseChange(dictionary(is));
+}
+
+} // End anonymous namespace
+
+
+TEST(misfitRuns, anEntryIsChangedAndIncludesStay)
+{
+    const fakeCase c;
+    change("file \"system/controlDict\"; entry endTime; scale 2; offset 1;")
+        .apply(c.folder(), 3);
+    const std::string text(content(c.folder()/"system/controlDict"));
+    EXPECT_NE(text.find("#include"), std::string::npos) << text;
+    EXPECT_NE(text.find("\"more\""), std::string::npos) << text;
+
+    IFstream is(c.folder()/"system/controlDict");
+    const dictionary dict(is);
+    EXPECT_EQ(dict.get<scalar>("endTime"), 7);
+    EXPECT_EQ(dict.get<scalar>("deltaT"), 1);
+}
+
+
+TEST(misfitRuns, aVariableOfAScriptIsChanged)
+{
+    const fakeCase c;
+    change("file \"constant/script\"; variable mu;").apply(c.folder(), 0.25);
+    EXPECT_EQ
+    (
+        content(c.folder()/"constant/script"),
+        "variable mu equal 0.25\nfix 1 mu ${mu}\n"
+    );
+}
+
+
+TEST(misfitRuns, whatIsNotThereCannotBeChanged)
+{
+    const fakeCase c;
+    const auto said = [&c](const std::string& text)
+    {
+        return refusal([&](){ change(text).apply(c.folder(), 1); });
+    };
+    EXPECT_NE
+    (
+        said("file \"constant/model\"; entry \"a/slop\";").find("add true"),
+        std::string::npos
+    );
+    EXPECT_NE
+    (
+        said("file \"constant/none\"; entry x;").find("has no file"),
+        std::string::npos
+    );
+    EXPECT_NE
+    (
+        said("file \"constant/script\"; variable nu;").find("0 lines"),
+        std::string::npos
+    );
+}
+
+
+TEST(misfitRuns, aStateIsRunAndRead)
+{
+    const fakeCase c;
+    fakePredictor predict(c);
+    const auto p(predict({withSlope(2), withSlope(3, 0.5)}));
+    ASSERT_TRUE(p[0].ok() && p[1].ok());
+    EXPECT_EQ(p[0].channels[0].y, scalarList({0, 2, 4}));
+    EXPECT_EQ(p[1].channels[0].y, scalarList({0.5, 3.5, 6.5}));
+    EXPECT_EQ(c.count(), 2);
+}
+
+
+TEST(misfitRuns, aFinishedRunIsNeverDoneAgain)
+{
+    const fakeCase c;
+    once(c, {withSlope(2), withSlope(2)});
+    EXPECT_EQ(c.count(), 1);
+
+    // By another program later
+    once(c, {withSlope(2), withSlope(2, 0)});
+    EXPECT_EQ(c.count(), 1);
+
+    // A changed template is another case
+    c.write("constant/other", "new");
+    once(c, {withSlope(2)});
+    EXPECT_EQ(c.count(), 2);
+}
+
+
+TEST(misfitRuns, aCrashIsKeptWithItsReason)
+{
+    const fakeCase c;
+    {
+        fakePredictor predict(c);
+        const auto p(predict({withSlope(9), withSlope(2)}));
+        EXPECT_FALSE(p[0].ok());
+        EXPECT_TRUE(p[1].ok());
+        EXPECT_NE(p[0].failure.find("time step is too long"), std::string::npos);
+    }
+    once(c, {withSlope(9)});
+    EXPECT_EQ(c.count(), 2);
+}
+
+
+TEST(misfitRuns, aRunBeyondItsTimeHasFailed)
+{
+    const fakeCase c;
+    fakePredictor predict(c, "timeLimit 1; ");
+    const auto p(predict({withSlope(8)}));
+    EXPECT_NE(p[0].failure.find("longer than 1 s"), std::string::npos)
+        << p[0].failure;
+}
+
+
+TEST(misfitRuns, aRunThatWasCutShortIsDoneAnew)
+{
+    const fakeCase c;
+    once(c, {withSlope(2)});
+    const fileName runs(c.folder()/"misfit/runs");
+    for (const fileName& run : readDir(runs, fileName::DIRECTORY))
+    {
+        rm(runs/run/"finished");
+        std::ofstream(runs/run/"case/postProcessing/out/0/out.dat") << "half";
+    }
+    fakePredictor predict(c);
+    EXPECT_EQ(predict({withSlope(2)})[0].channels[0].y, scalarList({0, 2, 4}));
+    EXPECT_EQ(c.count(), 2);
+}
+
+
+TEST(misfitRuns, aRunThatEndsTooEarlyIsNoPrediction)
+{
+    const fakeCase c;
+    c.write("r.csv", "t_s,y_m\n0,0\n1,2\n2,4\n3,6\n");
+    fakePredictor predict(c);
+    EXPECT_NE
+    (
+        predict({withSlope(2)})[0].failure.find("recorded until 3"),
+        std::string::npos
+    );
+}
+
+
+TEST(misfitRuns, aProbeOutsideTheMeshIsRefused)
+{
+    testMesh m;
+    const auto probe = [&m](const std::string& place)
+    {
+        IStringStream is
+        (
+            "quantity pressure; uncertainty 1; place " + place
+          + "; simulated { type probe; field p; }"
+        );
+        const channel c("S1", dictionary(is), purpose::fit, "", 40);
+        PtrList<observer> observers;
+        observers.append(observer::New(c).ptr());
+        return refusal([&](){ checkPlaces(m.mesh(), observers); });
+    };
+    EXPECT_EQ(probe("(0.5 0.5 0.5)"), "nothing");
+    EXPECT_EQ(probe("(1 0.5 0.3)"), "nothing");
+    EXPECT_EQ(probe("(1.05 0.5 0.3)"), "nothing");
+    EXPECT_NE(probe("(1.6 0.5 0.3)").find("S1 at"), std::string::npos);
+}
+
+
+TEST(misfitRuns, aChannelThatNoTableMatchesIsRefused)
+{
+    const fakeCase c;
+    const auto said = [&c](const std::string& old, const std::string& mended)
+    {
+        OStringStream os;
+        c.dict().write(os, false);
+        std::string text(os.str());
+        text.replace(text.find(old), old.size(), mended);
+        return refusal
+        (
+            [&]()
+            {
+                IStringStream is(text);
+                const dictionary dict(is);
+                const recordings r(dict, c.folder());
+                solverPredictor(r, c.folder(), dict).predict({withSlope(2)});
+            }
+        );
+    };
+    const auto expect = [&said](const char* a, const char* b, const char* words)
+    {
+        const std::string message(said(a, b));
+        EXPECT_NE(message.find(words), std::string::npos) << message;
+    };
+    expect("out.dat", "no.dat", "wrote no numbers");
+    expect("function        out", "function ou", "wrote nothing");
+    expect("column          y", "column z", "no column \"z\"");
+    expect("type            table", "type tabel", "table");
+}

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One entry of a case that a run has otherwise than the template.
+
+#include "caseChange.H"
+#include "fileDictionary.H"
+#include "keywords.H"
+
+#include "IFstream.H"
+#include "IStringStream.H"
+#include "OFstream.H"
+#include "OSspecific.H"
+
+#include <cstdio>
+#include <regex>
+
+namespace
+{
+
+//- The tokens of an entry as they stand in the file
+Foam::string readValue(const Foam::dictionary& dict)
+{
+    if (!dict.found("value"))
+    {
+        return "";
+    }
+    Foam::OStringStream os;
+    os.precision(12);
+    const Foam::ITstream& is = dict.lookup("value");
+    forAll(is, i)
+    {
+        os << (i ? " " : "") << is[i];
+    }
+    return os.str();
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::misfit::caseChange::applyToDictionary
+(
+    const fileName& path,
+    const string& value
+) const
+{
+    fileDictionary file(path);
+    dictionary* dict = &file.content();
+
+    const fileName name(name_);
+    const wordList parts(name.components());
+    for (label i = 0; i + 1 < parts.size(); ++i)
+    {
+        if (add_ && !dict->found(parts[i], keyType::LITERAL))
+        {
+            dict->add(parts[i], dictionary());
+        }
+        if (!dict->isDict(parts[i], keyType::LITERAL))
+        {
+            FatalErrorInFunction
+                << path << " has no dictionary " << parts[i] << " to change "
+                << name_.c_str() << " in. If it shall be new: add true;"
+                << exit(FatalError);
+        }
+        dict = &dict->subDict(parts[i], keyType::LITERAL);
+    }
+
+    if (!add_ && !dict->found(parts.last(), keyType::LITERAL))
+    {
+        FatalErrorInFunction
+            << path << " has no entry " << name_.c_str()
+            << " to change. If it shall be new: add true;  Entries there: "
+            << keywords::listed(dict->toc()).c_str() << exit(FatalError);
+    }
+    IStringStream is(parts.last() + ' ' + value + ';');
+    file.set(*dict, is);
+    file.write();
+}
+
+
+void Foam::misfit::caseChange::applyToScript
+(
+    const fileName& path,
+    const string& value
+) const
+{
+    const std::regex line("(\\s*variable\\s+" + name_ + "\\s+equal\\s+)(.*)");
+    std::string text;
+    label found = 0;
+    {
+        IFstream is(path);
+        std::string s;
+        while (std::getline(is.stdStream(), s))
+        {
+            std::smatch m;
+            if (std::regex_match(s, m, line))
+            {
+                s = m[1].str() + value;
+                ++found;
+            }
+            text += s + '\n';
+        }
+    }
+    if (found != 1)
+    {
+        FatalErrorInFunction
+            << path << " has " << found << " lines \"variable "
+            << name_.c_str() << " equal ...\"; one is needed to change it"
+            << exit(FatalError);
+    }
+    rm(path);
+    OFstream(path).stdStream() << text;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::misfit::caseChange::caseChange(const dictionary& dict)
+:
+    file_(dict.get<fileName>("file")),
+    isVariable_(dict.found("variable")),
+    add_(dict.getOrDefault<bool>("add", false)),
+    value_(readValue(dict)),
+    scale_(dict.getOrDefault<scalar>("scale", 1)),
+    offset_(dict.getOrDefault<scalar>("offset", 0))
+{
+    keywords::check
+    (
+        dict,
+        {"file", "entry", "variable", "add", "value", "scale", "offset"}
+    );
+    if (isVariable_ == dict.found("entry"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "A change of " << file_ << " needs either entry (of a"
+            << " dictionary) or variable (of a LIGGGHTS script)"
+            << exit(FatalIOError);
+    }
+    const token name(dict.lookup(isVariable_ ? "variable" : "entry"));
+    name_ = name.isString() ? name.stringToken() : string(name.wordToken());
+}
+
+
+// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
+
+Foam::string Foam::misfit::caseChange::value(const scalar number) const
+{
+    if (isFixed())
+    {
+        return value_;
+    }
+    char text[32];
+    std::snprintf(text, sizeof(text), "%.10g", scale_*number + offset_);
+    return text;
+}
+
+
+Foam::string Foam::misfit::caseChange::told(const scalar number) const
+{
+    return file_ + ' ' + name_ + " = " + value(number);
+}
+
+
+void Foam::misfit::caseChange::apply
+(
+    const fileName& caseFolder,
+    const scalar number
+) const
+{
+    const fileName path(caseFolder/file_);
+    if (!isFile(path, false))
+    {
+        FatalErrorInFunction
+            << "The case has no file " << file_ << " to change "
+            << name_.c_str() << " in" << exit(FatalError);
+    }
+    if (isVariable_)
+    {
+        applyToScript(path, value(number));
+    }
+    else
+    {
+        applyToDictionary(path, value(number));
+    }
+}
+
+
+Foam::List<Foam::misfit::caseChange> Foam::misfit::readChanges
+(
+    const dictionary& dict,
+    const word& key
+)
+{
+    List<caseChange> changes;
+    if (dict.found(key))
+    {
+        for (const dictionary& d : dict.get<List<dictionary>>(key))
+        {
+            changes.append(caseChange(d));
+        }
+    }
+    return changes;
+}

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs, each kept under the hash of its case, so that none is done twice.
+
+#include "runStore.H"
+#include "keywords.H"
+
+#include "fileNameList.H"
+#include "IFstream.H"
+#include "OFstream.H"
+#include "OSspecific.H"
+#include "SHA1.H"
+
+#include <algorithm>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <thread>
+#include <unistd.h>
+
+namespace
+{
+
+using namespace Foam;
+
+//- All regular files below a folder, sorted
+void filesBelow(const fileName& folder, fileNameList& files)
+{
+    for (const fileName& f : readDir(folder, fileName::FILE, false))
+    {
+        files.append(folder/f);
+    }
+    for (const fileName& d : readDir(folder, fileName::DIRECTORY))
+    {
+        filesBelow(folder/d, files);
+    }
+}
+
+
+string contentOf(const fileName& file)
+{
+    IFstream is(file);
+    return string
+    (
+        std::string
+        (
+            std::istreambuf_iterator<char>(is.stdStream()),
+            std::istreambuf_iterator<char>()
+        )
+    );
+}
+
+
+string digest(const string& text)
+{
+    return SHA1(text).digest().str();
+}
+
+
+string quoted(const fileName& path)
+{
+    return "'" + path + "'";
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::word Foam::misfit::runStore::name(const wantedRun& run) const
+{
+    string all(templateHash_ + '\n' + run.told);
+    for (const string& c : commands_)
+    {
+        all += '\n' + c;
+    }
+    return word(digest(all).substr(0, 12), false);
+}
+
+
+Foam::fileNameList Foam::misfit::runStore::parts() const
+{
+    fileNameList found;
+    found.append(isDir(template_/"0.orig") ? "0.orig" : "0");
+    found.append("constant");
+    found.append("system");
+    found.append(files_);
+    return found;
+}
+
+
+Foam::string Foam::misfit::runStore::hashTemplate() const
+{
+    fileNameList files;
+    for (const fileName& part : parts())
+    {
+        if (isDir(template_/part))
+        {
+            filesBelow(template_/part, files);
+        }
+        else
+        {
+            files.append(template_/part);
+        }
+    }
+    std::sort(files.begin(), files.end());
+
+    string all;
+    for (const fileName& f : files)
+    {
+        if (f.name() != "misfitDict" && f.find("/polyMesh/") == string::npos)
+        {
+            all += f.substr(template_.size()) + digest(contentOf(f)) + '\n';
+        }
+    }
+    return digest(all);
+}
+
+
+void Foam::misfit::runStore::prepare
+(
+    const word& name,
+    const wantedRun& run
+) const
+{
+    const fileName target(folder_/name);
+    if (isDir(target))
+    {
+        rmDir(target);
+    }
+    mkDir(target/"case");
+
+    for (const fileName& part : parts())
+    {
+        cp(template_/part, target/"case"/(part == "0.orig" ? "0" : part));
+    }
+    run.change(target/"case");
+
+    OFstream(target/"about").stdStream() << run.told << '\n';
+    OFstream os(target/"commands");
+    for (const string& c : commands_)
+    {
+        os.stdStream() << c << '\n';
+    }
+}
+
+
+void Foam::misfit::runStore::takeLock()
+{
+    lock_ = ::open((folder_/"lock").c_str(), O_CREAT | O_RDWR, 0644);
+    if (lock_ >= 0 && ::flock(lock_, LOCK_EX | LOCK_NB))
+    {
+        Info<< "Another misfitFoam works in " << folder_
+            << ", or runs that it had begun do: waiting for them" << endl;
+        ::flock(lock_, LOCK_EX);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::misfit::runStore::runStore
+(
+    const fileName& templateCase,
+    const dictionary& dict
+)
+:
+    template_(templateCase),
+    folder_(templateCase/"misfit"/"runs"),
+    commands_(dict.get<stringList>("commands")),
+    files_(dict.getOrDefault("files", fileNameList())),
+    ranks_(dict.getOrDefault<label>("ranks", 1)),
+    jobs_
+    (
+        dict.getOrDefault<label>
+        (
+            "jobs",
+            max(label(std::thread::hardware_concurrency())/ranks_, label(1))
+        )
+    ),
+    timeLimit_(dict.getOrDefault<label>("timeLimit", 86400)),
+    lock_(-1)
+{
+    if (commands_.empty() || ranks_ < 1 || jobs_ < 1 || timeLimit_ < 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "commands must name the programs of a run, the solver last;"
+            << " ranks, jobs and timeLimit must be 1 or more"
+            << exit(FatalIOError);
+    }
+    for (const fileName& part : parts())
+    {
+        if (!exists(template_/part))
+        {
+            FatalErrorInFunction
+                << "The case " << template_ << " has no " << part.c_str()
+                << exit(FatalError);
+        }
+    }
+    mkDir(folder_);
+    templateHash_ = hashTemplate();
+}
+
+
+Foam::misfit::runStore::~runStore()
+{
+    if (lock_ >= 0)
+    {
+        ::close(lock_);
+    }
+}
+
+
+// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
+
+Foam::fileName Foam::misfit::runStore::caseOf(const wantedRun& run) const
+{
+    return folder_/name(run)/"case";
+}
+
+
+bool Foam::misfit::runStore::isFinished(const wantedRun& run) const
+{
+    return isFile(folder_/name(run)/"finished", false);
+}
+
+
+Foam::string Foam::misfit::runStore::failure(const wantedRun& run) const
+{
+    const string said(contentOf(folder_/name(run)/"finished"));
+    return
+        said.find("ok") == 0
+      ? string()
+      : string(said.substr(min(said.find('\n'), said.size())));
+}
+
+
+Foam::scalar Foam::misfit::runStore::seconds(const wantedRun& run) const
+{
+    const string said(contentOf(folder_/name(run)/"finished"));
+    return std::atof(said.c_str() + min(said.find(' '), said.size()));
+}
+
+
+void Foam::misfit::runStore::finish(const List<wantedRun>& runs)
+{
+    if (lock_ < 0)
+    {
+        takeLock();
+    }
+
+    wordHashSet todo;
+    for (const wantedRun& run : runs)
+    {
+        if (!isFinished(run) && todo.insert(name(run)))
+        {
+            prepare(name(run), run);
+        }
+    }
+    if (todo.empty())
+    {
+        return;
+    }
+
+    rm(folder_/"progress");
+    string command
+    (
+        "RANKS=" + Foam::name(ranks_)
+      + " TIME_LIMIT=" + Foam::name(timeLimit_)
+      + " RUNS=" + Foam::name(todo.size())
+      + " STARTED=$(date +%s)"
+      + " make --no-print-directory -s -C " + quoted(folder_)
+      + " -f \"$INTERDEMFOAM_DIR/etc/misfitRuns.mk\" -j " + Foam::name(jobs_)
+    );
+    for (const word& run : todo.sortedToc())
+    {
+        command += ' ' + run + "/finished";
+    }
+
+    if (Foam::system(command))
+    {
+        FatalErrorInFunction
+            << "The runs in " << folder_ << " were stopped. Those that are"
+            << " finished are kept: start misfitFoam again to go on"
+            << exit(FatalError);
+    }
+}

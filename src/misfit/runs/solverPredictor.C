@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Predictions by runs of the solver.
+
+#include "solverPredictor.H"
+#include "fileDictionary.H"
+#include "keywords.H"
+#include "placesInMesh.H"
+
+#include "IStringStream.H"
+#include "OSspecific.H"
+#include "Time.H"
+
+#include <cmath>
+
+namespace
+{
+
+using namespace Foam;
+
+//- Adds function objects to the controlDict of a case
+void addFunctions(const fileName& caseFolder, const dictionary& functions)
+{
+    misfit::fileDictionary control(caseFolder/"system"/"controlDict");
+    dictionary& all = control.content();
+    if (!all.found("functions"))
+    {
+        all.add("functions", dictionary());
+    }
+    all.subDict("functions").merge(functions);
+    control.write();
+}
+
+} // End anonymous namespace
+
+
+Foam::string Foam::misfit::told(const runState& state)
+{
+    OStringStream os;
+    os << "experiment " << state.experiment;
+    for (const auto* numbers : {&state.parameters, &state.strengths})
+    {
+        for (const word& name : numbers->sortedToc())
+        {
+            if (numbers == &state.parameters || (*numbers)[name] != 0)
+            {
+                os << ", " << name << ' ' << (*numbers)[name];
+            }
+        }
+    }
+    if (state.packing)
+    {
+        os << ", packing " << state.packing;
+    }
+    if (state.resolution != "base")
+    {
+        os << ", other " << state.resolution;
+    }
+    return os.str();
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::List<Foam::Tuple2<Foam::misfit::caseChange, Foam::scalar>>
+Foam::misfit::solverPredictor::changes(const runState& state) const
+{
+    List<Tuple2<caseChange, scalar>> all;
+    const auto add = [&all](const List<caseChange>& some, const scalar number)
+    {
+        for (const caseChange& c : some)
+        {
+            all.append(Tuple2<caseChange, scalar>(c, number));
+        }
+    };
+
+    add(experiments_[state.experiment], 0);
+    if (state.resolution != "base")
+    {
+        add(resolutions_[state.resolution], 0);
+    }
+    if (state.packing)
+    {
+        add(packing_, state.packing);
+    }
+    for (const parameter& p : parameters_)
+    {
+        if (state.parameters.found(p.name))
+        {
+            add(p.changes, state.parameters[p.name]);
+        }
+    }
+    for (const candidate& c : candidates_)
+    {
+        const scalar strength = state.strengths.lookup(c.name, 0);
+        if (strength != 0)
+        {
+            add(c.changes, strength);
+        }
+    }
+    return all;
+}
+
+
+Foam::dictionary Foam::misfit::solverPredictor::functions
+(
+    const word& experiment
+) const
+{
+    dictionary dict;
+    for (const observer& o : observers_)
+    {
+        if (o.of().experiment() == experiment)
+        {
+            o.addTo(dict);
+        }
+    }
+    return dict;
+}
+
+
+Foam::misfit::wantedRun
+Foam::misfit::solverPredictor::wanted(const runState& state) const
+{
+    const auto list(changes(state));
+    const dictionary measured(functions(state.experiment));
+
+    OStringStream os;
+    for (const auto& c : list)
+    {
+        os << c.first().told(c.second()).c_str() << nl;
+    }
+    measured.write(os, false);
+
+    return
+    {
+        os.str(),
+        [list, measured](const fileName& caseFolder)
+        {
+            for (const auto& c : list)
+            {
+                c.first().apply(caseFolder, c.second());
+            }
+            addFunctions(caseFolder, measured);
+        }
+    };
+}
+
+
+void Foam::misfit::solverPredictor::checkPlacesIn(const fileName& caseFolder)
+{
+    if (placesChecked_ || !isFile(caseFolder/"constant/polyMesh/faces"))
+    {
+        return;
+    }
+    placesChecked_ = true;
+
+    Time runTime
+    (
+        Time::controlDictName, caseFolder.path(), caseFolder.name(),
+        "system", "constant", false, false
+    );
+    const polyMesh mesh
+    (
+        IOobject
+        (
+            polyMesh::defaultRegion, runTime.timeName(), runTime,
+            IOobject::MUST_READ
+        )
+    );
+    checkPlaces(mesh, observers_);
+}
+
+
+Foam::string Foam::misfit::solverPredictor::fault
+(
+    const channel& c,
+    const series& s
+) const
+{
+    for (const scalar value : s.y)
+    {
+        if (!std::isfinite(value) || mag(value) > 1e100)
+        {
+            return "it gave no finite numbers for the channel " + c.name();
+        }
+    }
+    if (c.isRecorded() && s.x.last() < c.recorded().x.last() - 0.5*c.span())
+    {
+        return
+            "it ends at " + Foam::name(s.x.last()) + " and the channel "
+          + c.name() + " was recorded until "
+          + Foam::name(c.recorded().x.last())
+          + ": run longer, or give the channel an interval";
+    }
+    return "";
+}
+
+
+Foam::misfit::prediction Foam::misfit::solverPredictor::read
+(
+    const runState& state,
+    const wantedRun& run
+) const
+{
+    prediction p;
+    p.failure = store_.failure(run);
+    p.channels.setSize(observers_.size());
+    forAll(observers_, i)
+    {
+        const observer& o = observers_[i];
+        if (p.ok() && o.of().experiment() == state.experiment)
+        {
+            p.channels[i] = o.read(store_.caseOf(run));
+            p.failure = fault(o.of(), p.channels[i]);
+        }
+    }
+    return p;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::misfit::solverPredictor::solverPredictor
+(
+    const recordings& recorded,
+    const fileName& templateCase,
+    const dictionary& dict
+)
+:
+    recordings_(recorded),
+    parameters_(readParameters(keywords::sub(dict, "parameters"))),
+    candidates_(readCandidates(keywords::sub(dict, "candidates"))),
+    packing_(readChanges(dict, "packing")),
+    store_(templateCase, dict),
+    placesChecked_(false)
+{
+    const dictionary experiments(keywords::sub(dict, "experiments"));
+    for (const word& name : recorded.experiments())
+    {
+        experiments_.insert
+        (
+            name,
+            readChanges(keywords::sub(experiments, name), "changes")
+        );
+    }
+
+    const dictionary finer
+    (
+        keywords::sub(dict, "resolution", wordList({"mesh", "step"}))
+    );
+    for (const word& name : finer.toc())
+    {
+        resolutions_.insert(name, readChanges(finer, name));
+    }
+
+    for (const channel& c : recorded.channels())
+    {
+        observers_.append(observer::New(c).ptr());
+    }
+    checkPlacesIn(templateCase);
+}
+
+
+// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
+
+Foam::List<Foam::misfit::prediction>
+Foam::misfit::solverPredictor::predict(const List<runState>& states)
+{
+    List<wantedRun> runs(states.size());
+    forAll(states, i)
+    {
+        runs[i] = wanted(states[i]);
+    }
+    store_.finish(runs);
+
+    List<prediction> found(states.size());
+    forAll(states, i)
+    {
+        checkPlacesIn(store_.caseOf(runs[i]));
+        found[i] = read(states[i], runs[i]);
+        if (!found[i].ok())
+        {
+            Info<< "    Failed: " << told(states[i]).c_str() << ": "
+                << found[i].failure.c_str() << nl << "    kept in "
+                << store_.caseOf(runs[i]).path() << endl;
+        }
+    }
+    return found;
+}
+
+
+void Foam::misfit::solverPredictor::tell
+(
+    const string& what,
+    const List<runState>& states
+) const
+{
+    Info<< what.c_str() << ": " << states.size() << " runs" << nl;
+    scalar seconds = 0;
+    label done = 0;
+    for (const runState& s : states)
+    {
+        const wantedRun run(wanted(s));
+        const bool finished = store_.isFinished(run);
+        Info<< "    " << (finished ? "done  " : "to do ")
+            << told(s).c_str() << nl;
+        if (finished)
+        {
+            seconds += store_.seconds(run);
+            ++done;
+        }
+    }
+    const label left = states.size() - done;
+    if (left && done)
+    {
+        Info<< "    about " << seconds/done*left/store_.jobs()/60
+            << " min for the " << left << " to do" << nl;
+    }
+    Info<< endl;
+}

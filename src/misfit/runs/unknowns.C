@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a diagnosis may set: the parameters that the base model has, and the
+// mechanisms that it may lack.
+
+#include "unknowns.H"
+#include "keywords.H"
+
+namespace
+{
+
+using namespace Foam;
+
+//- One change beside the other keys, or a list of them
+List<misfit::caseChange> changesOf(const dictionary& dict)
+{
+    List<misfit::caseChange> changes(misfit::readChanges(dict, "changes"));
+    bool follows = false;
+    for (const misfit::caseChange& c : changes)
+    {
+        follows = follows || !c.isFixed();
+    }
+    if (!follows)
+    {
+        FatalIOErrorInFunction(dict)
+            << dict.dictName() << " changes nothing: its list  changes  needs"
+            << " an entry without value, which then takes the number"
+            << exit(FatalIOError);
+    }
+    return changes;
+}
+
+
+List<misfit::expectedSign> signsOf(const dictionary& dict)
+{
+    List<misfit::expectedSign> signs;
+    if (dict.found("signs"))
+    {
+        for (const wordList& s : dict.get<List<wordList>>("signs"))
+        {
+            if (s.size() != 3 || (s[2] != "up" && s[2] != "down"))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "A sign is (quantity feature up|down), for instance"
+                    << " (pressure peak up); this is " << s
+                    << exit(FatalIOError);
+            }
+            signs.append({s[0], s[1], s[2] == "up" ? 1.0 : -1.0});
+        }
+    }
+    return signs;
+}
+
+
+misfit::parameter readParameter(const word& name, const dictionary& dict)
+{
+    keywords::check(dict, {"changes", "mean", "deviation", "bounds"});
+    const Tuple2<scalar, scalar> bounds
+    (
+        dict.get<Tuple2<scalar, scalar>>("bounds")
+    );
+    const misfit::parameter p
+    {
+        name,
+        changesOf(dict),
+        dict.get<scalar>("mean"),
+        dict.get<scalar>("deviation"),
+        bounds.first(),
+        bounds.second()
+    };
+    if (p.deviation <= 0 || p.mean < p.lower || p.mean > p.upper)
+    {
+        FatalIOErrorInFunction(dict)
+            << "The parameter " << name << " has the mean " << p.mean
+            << ", the deviation " << p.deviation << " and the bounds "
+            << bounds << ". The deviation must be above zero, and the mean"
+            << " within the bounds" << exit(FatalIOError);
+    }
+    return p;
+}
+
+
+misfit::candidate readCandidate(const word& name, const dictionary& dict)
+{
+    keywords::check
+    (
+        dict, {"title", "changes", "strengths", "upper", "bound", "signs"}
+    );
+    const Tuple2<scalar, scalar> strengths
+    (
+        dict.getOrDefault("strengths", Tuple2<scalar, scalar>(0.5, 1))
+    );
+    const misfit::candidate c
+    {
+        name,
+        dict.getOrDefault<string>("title", name),
+        changesOf(dict),
+        strengths.first(),
+        strengths.second(),
+        dict.getOrDefault<scalar>("upper", strengths.second()),
+        dict.getOrDefault<scalar>("bound", GREAT),
+        signsOf(dict)
+    };
+    if (c.weak <= 0 || c.strong <= c.weak || c.upper < c.strong)
+    {
+        FatalIOErrorInFunction(dict)
+            << "The candidate " << name << " has the strengths " << strengths
+            << " and the upper bound " << c.upper << "; they must rise from"
+            << " above zero" << exit(FatalIOError);
+    }
+    return c;
+}
+
+} // End anonymous namespace
+
+
+Foam::List<Foam::misfit::parameter>
+Foam::misfit::readParameters(const dictionary& dict)
+{
+    List<parameter> list;
+    for (const entry& e : dict)
+    {
+        list.append(readParameter(e.keyword(), e.dict()));
+    }
+    return list;
+}
+
+
+Foam::List<Foam::misfit::candidate>
+Foam::misfit::readCandidates(const dictionary& dict)
+{
+    List<candidate> list;
+    for (const entry& e : dict)
+    {
+        list.append(readCandidate(e.keyword(), e.dict()));
+    }
+    return list;
+}
