@@ -5,6 +5,7 @@
 
 #include "PstreamReduceOps.H"
 #include "error.H"
+#include "sphereParts.H"
 
 Foam::strips::strips
 (
@@ -94,12 +95,7 @@ void Foam::strips::addSphere(const scalar x, const scalar r, const scalar v)
         x - r,
         x + r,
         v,
-        [=](const scalar s)
-        {
-            // Volume of a spherical cap over that of the sphere
-            const scalar t = max(min((s - x)/r, scalar(1)), scalar(-1));
-            return (2 + 3*t - t*t*t)/4;
-        }
+        [=](const scalar s) { return sphereParts::below((s - x)/r); }
     );
 }
 

@@ -5,6 +5,8 @@
 
 #include "addToRunTimeSelectionTable.H"
 #include "mathematicalConstants.H"
+#include "periodicity.H"
+#include "sphereParts.H"
 
 namespace Foam
 {
@@ -23,7 +25,8 @@ Foam::functionObjects::grainStress::grainStress
     const dictionary& dict
 )
 :
-    flumeFunctionObject(name, runTime, dict, typeName)
+    flumeFunctionObject(name, runTime, dict, typeName),
+    shifts_(periodicity(mesh_).shifts())
 {
     read(dict);
 
@@ -95,20 +98,32 @@ bool Foam::functionObjects::grainStress::read(const dictionary& dict)
 }
 
 
-bool Foam::functionObjects::grainStress::inside
+Foam::scalar Foam::functionObjects::grainStress::share
 (
     const label region,
-    const point& p
+    const point& p,
+    const scalar r
 ) const
 {
-    if (region < spheres_.size())
+    scalar result = 0;
+
+    for (const vector& shift : shifts_)
     {
-        const Tuple2<point, scalar>& s = spheres_[region];
-        return magSqr(p - s.first()) <= sqr(s.second());
+        if (region < spheres_.size())
+        {
+            const Tuple2<point, scalar>& s = spheres_[region];
+            result +=
+                sphereParts::inSphere(p + shift, r, s.first(), s.second());
+        }
+        else
+        {
+            const Tuple2<point, point>& b = boxes_[region - spheres_.size()];
+            const boundBox box(b.first(), b.second());
+            result += sphereParts::inBox(p + shift, r, box);
+        }
     }
 
-    const Tuple2<point, point>& b = boxes_[region - spheres_.size()];
-    return boundBox(b.first(), b.second()).contains(p);
+    return result;
 }
 
 
@@ -135,7 +150,7 @@ Foam::scalarList Foam::functionObjects::grainStress::values
 ) const
 {
     const grainSnapshot& all = grains();
-    label n = 0;
+    scalar n = 0;
     scalar solid = 0;
     scalar mass = 0;
     vector momentum(Zero);
@@ -144,18 +159,20 @@ Foam::scalarList Foam::functionObjects::grainStress::values
 
     for (const label i : ofTypes(all, types_))
     {
-        if (inside(region, all.position[i]))
+        const scalar part = share(region, all.position[i], all.d[i]/2);
+
+        if (part > 0)
         {
-            ++n;
-            solid += constant::mathematical::pi*pow3(all.d[i])/6;
-            mass += all.mass[i];
-            momentum += all.mass[i]*all.U[i];
-            motion += all.mass[i]*sqr(all.U[i]);
-            contacts += all.stressMoment[i];
+            n += part;
+            solid += part*constant::mathematical::pi*pow3(all.d[i])/6;
+            mass += part*all.mass[i];
+            momentum += part*all.mass[i]*all.U[i];
+            motion += part*all.mass[i]*sqr(all.U[i]);
+            contacts += part*all.stressMoment[i];
         }
     }
 
-    reduce(n, sumOp<label>());
+    reduce(n, sumOp<scalar>());
     reduce(solid, sumOp<scalar>());
     reduce(mass, sumOp<scalar>());
     reduce(momentum, sumOp<vector>());
@@ -171,7 +188,7 @@ Foam::scalarList Foam::functionObjects::grainStress::values
 
     return scalarList
     ({
-        scalar(n), solid/volume(region),
+        n, solid/volume(region),
         stress.xx(), stress.xy(), stress.xz(),
         stress.yy(), stress.yz(), stress.zz(),
         -tr(stress)/3, sqrt(1.5)*mag(dev(stress))

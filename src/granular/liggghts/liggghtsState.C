@@ -144,8 +144,12 @@ Foam::autoPtr<Foam::grainSnapshot> Foam::liggghtsPhase::snapshot() const
 
             forAll(force, i)
             {
-                const double* f = modify.fix[at]->array_atom[i];
-                force[i] += vector(f[0], f[1], f[2]);
+                const double* c = modify.fix[at]->array_atom[i];
+                const vector f(c[0], c[1], c[2]);
+
+                force[i] += f;
+                grains.stressMoment[i] +=
+                    symm(walls_.toPlane(id, position_[i])*f);
             }
         }
 

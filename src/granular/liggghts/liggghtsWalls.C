@@ -176,7 +176,7 @@ Foam::fileName Foam::liggghtsWalls::writeSurface(const polyPatch& patch) const
 }
 
 
-void Foam::liggghtsWalls::addWall
+Foam::word Foam::liggghtsWalls::addWall
 (
     liggghtsInstance& liggghts,
     const word& patch,
@@ -192,6 +192,27 @@ void Foam::liggghtsWalls::addWall
       + " store_force yes"
     );
     fixes_(patch).append(id);
+
+    return id;
+}
+
+
+Foam::vector Foam::liggghtsWalls::toPlane
+(
+    const word& id,
+    const point& p
+) const
+{
+    vector to(Zero);
+    const auto plane = planes_.cfind(id);
+
+    if (plane.found())
+    {
+        const direction k = plane.val().first();
+        to[k] = plane.val().second() - p[k];
+    }
+
+    return to;
 }
 
 
@@ -213,11 +234,16 @@ void Foam::liggghtsWalls::add(liggghtsInstance& liggghts)
         for (const label i : on)
         {
             const boundBox& box = mesh_.bounds();
+            const scalar place = (i % 2 ? box.max() : box.min())[i/2];
             std::ostringstream os;
             os.precision(17);
             os  << "primitive type " << type_ << ' ' << planes[i/2] << ' '
-                << (i % 2 ? box.max() : box.min())[i/2];
-            addWall(liggghts, patch.name(), os.str());
+                << place;
+            planes_.insert
+            (
+                addWall(liggghts, patch.name(), os.str()),
+                Tuple2<direction, scalar>(i/2, place)
+            );
         }
 
         if (on.empty())

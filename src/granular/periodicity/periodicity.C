@@ -77,3 +77,27 @@ Foam::vector Foam::periodicity::shortest(const vector& difference) const
 
     return result;
 }
+
+
+Foam::List<Foam::vector> Foam::periodicity::shifts() const
+{
+    List<vector> result(1, Zero);
+
+    for (direction k = 0; k < 3; ++k)
+    {
+        if (along_[k])
+        {
+            const label n = result.size();
+            result.setSize(3*n);
+
+            for (label i = 0; i < n; ++i)
+            {
+                result[n + i] = result[2*n + i] = result[i];
+                result[n + i][k] += box_.max()[k] - box_.min()[k];
+                result[2*n + i][k] -= box_.max()[k] - box_.min()[k];
+            }
+        }
+    }
+
+    return result;
+}
