@@ -76,6 +76,7 @@ Foam::interphaseForces::interphaseForces
     ),
     dragCoefficient_(exchange.mesh().nCells(), Zero),
     virtualMassCoefficient_(exchange.mesh().nCells(), Zero),
+    pressureShare_(exchange.mesh().nCells(), Zero),
     explicitForce_(exchange.mesh().nCells(), Zero),
     residual_(0)
 {
@@ -140,10 +141,6 @@ void Foam::interphaseForces::prepare
     (
         porosity_.gather(vectorField(rho_*fluid.vorticity))/rhoAround_
     );
-    const vectorField pressureGradient
-    (
-        porosity_.gather(fluid.pressureGradient)
-    );
     const scalarField dSauter
     (
         drag_->usesSauterDiameter()
@@ -169,6 +166,7 @@ void Foam::interphaseForces::prepare
 
     drag0_.setSize(n);
     virtualMass0_.setSize(n);
+    pressure0_.setSize(n);
     explicit_.setSize(n);
     volume_.setSize(n);
     force_.setSize(n);
@@ -199,16 +197,16 @@ void Foam::interphaseForces::prepare
         const vector lift(N3*lift_->force(state));
 
         const vector weight(grain.mass*g_);
-        const vector pressure
+        const vector buoyancy
         (
-            -pressureGradientStrength_*volume_[i]*pressureGradient[i]
+            -pressureGradientStrength_*volume_[i]*rhoAround_[i]*g_
         );
         const vector viscous(volume_[i]*viscousForce[i]);
 
         const vector load(weight + grain.fluidForce);
         const vector free
         (
-            weight + pressure + viscous + lift
+            weight + buoyancy + viscous + lift
           - carried(grain.totalForce - load, load)*load
         );
 
@@ -218,6 +216,7 @@ void Foam::interphaseForces::prepare
 
         drag0_[i] = M*K;
         virtualMass0_[i] = M*C;
+        pressure0_[i] = (1 - M)*pressureGradientStrength_*volume_[i];
         explicit_[i] =
             lift + virtualMass0_[i]*convection[i] - drag0_[i]*grain.velocity
           + (M - 1)*free;
@@ -236,6 +235,7 @@ void Foam::interphaseForces::spreadToCells()
         rho_*porosity_.spread(scalarField(virtualMass0_/rhoAround_));
     explicitForce_ =
         rho_*porosity_.spread(vectorField(explicit_/rhoAround_));
+    pressureShare_ = porosity_.spread(pressure0_);
 }
 
 
@@ -256,6 +256,15 @@ void Foam::interphaseForces::start(const vectorField& pressureGradient)
 }
 
 
+Foam::vectorField Foam::interphaseForces::excess
+(
+    const vectorField& pressureGradient
+) const
+{
+    return pressureGradient - rho_*g_;
+}
+
+
 void Foam::interphaseForces::finish(const fluidMeans& means)
 {
     const vectorField U
@@ -267,9 +276,14 @@ void Foam::interphaseForces::finish(const fluidMeans& means)
         porosity_.gather(vectorField(rho_*means.acceleration))/rhoAround_
     );
 
+    const vectorField excessGradient
+    (
+        porosity_.gather(excess(means.pressureGradient))
+    );
     const vectorField exchanged
     (
-        drag0_*U + virtualMass0_*acceleration + explicit_
+        drag0_*U + virtualMass0_*acceleration + pressure0_*excessGradient
+      + explicit_
     );
 
     force_ =
@@ -299,6 +313,7 @@ void Foam::interphaseForces::sumUp
        *(
             dragCoefficient_*means.U
           + virtualMassCoefficient_*means.acceleration
+          + pressureShare_*excess(means.pressureGradient)
           + explicitForce_
         )
     );
