@@ -254,6 +254,41 @@ TEST(drag, GidaspowIsErgunInAPacking)
 }
 
 
+TEST(drag, ErgunHasTheCoefficientsThatItIsGiven)
+{
+    const grainState column = ErgunColumn();
+    const auto plain = law<dragModel>("model Ergun;");
+    const auto Darcy = law<dragModel>("model Ergun; inertial 0;");
+    const auto inertia = law<dragModel>("model Ergun; viscous 0; inertial 3.5;");
+
+    for (const scalar U : {1e-4, 1e-2, 1.0})
+    {
+        const scalar whole = ErgunDrop(column, U);
+        const scalar linear = 1e9*ErgunDrop(column, 1e-9*U);
+
+        EXPECT_NEAR(pressureDrop(plain(), column, U)/whole, 1, 1e-12) << U;
+        EXPECT_NEAR(pressureDrop(Darcy(), column, U)/linear, 1, 1e-6) << U;
+        EXPECT_NEAR
+        (
+            pressureDrop(inertia(), column, U)/(2*(whole - linear)), 1, 1e-6
+        ) << U;
+    }
+}
+
+
+TEST(drag, ErgunIsNothingWithoutAPacking)
+{
+    const auto Darcy = law<dragModel>("model Ergun; inertial 0;");
+
+    for (const scalar e : {1.0, 1 + 1e-12})
+    {
+        grainState state = atReynolds(inWater(), 100);
+        state.voidFraction = e;
+        EXPECT_EQ(Darcy->K(state), 0) << e;
+    }
+}
+
+
 TEST(drag, GidaspowFluidisesTheErgunColumnWhereErgunDoes)
 {
     // Published with the column: it floats at 0.01454 m/s, carried by 167 Pa

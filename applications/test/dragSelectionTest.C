@@ -12,7 +12,8 @@ namespace
 
 const char* const names[]
 {
-    "DiFelice", "Gidaspow", "KochHill", "Beetstra", "SchillerNaumann", "none"
+    "DiFelice", "Gidaspow", "Ergun", "KochHill", "Beetstra",
+    "SchillerNaumann", "none"
 };
 
 

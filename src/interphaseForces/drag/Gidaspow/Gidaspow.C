@@ -36,16 +36,6 @@ Foam::Gidaspow::Gidaspow(const dictionary& dict)
 }
 
 
-Foam::scalar Foam::Gidaspow::Ergun(const grainState& state)
-{
-    const scalar e = state.voidFraction;
-
-    return
-        stokes(state)/18
-       *(150*(1 - e)/e + 1.75*slipReynolds(state));
-}
-
-
 Foam::scalar Foam::Gidaspow::WenYu(const grainState& state)
 {
     const scalar e = state.voidFraction;
@@ -63,11 +53,12 @@ Foam::scalar Foam::Gidaspow::K(const grainState& state) const
 
     if (transition_ == transitions::sharp)
     {
-        return e < 0.8 ? Ergun(state) : WenYu(state);
+        return e < 0.8 ? packed(state, 150, 1.75) : WenYu(state);
     }
 
     const scalar dilute =
         0.5 + std::atan(150*1.75*(e - 0.8))/constant::mathematical::pi;
 
-    return dilute*WenYu(state) + (1 - dilute)*Ergun(state);
+    return
+        dilute*WenYu(state) + (1 - dilute)*packed(state, 150, 1.75);
 }
