@@ -45,8 +45,8 @@ int main(int argc, char *argv[])
 
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"
+    timeFolders::putIncompleteAside(args);
     #include "createTime.H"
-    timeFolders::takeLastComplete(runTime);
     #include "createMesh.H"
     checkEuler(mesh);
 
@@ -55,10 +55,19 @@ int main(int argc, char *argv[])
     #include "createTimeControls.H"
     #include "createFields.H"
     #include "startGrains.H"
+    timeFolders::markStart(runTime);
 
     turbulence->validate();
 
     const stopSignal stop;
+    bool asked = false;
+    bool toWrite = false;
+
+    // Grains and water are at the same time only where an interval ends
+    const auto together = [&]() -> bool
+    {
+        return !grains.active() || grains.due();
+    };
 
     // The fluid step as the Courant numbers have it [s]
     scalar wanted = runTime.deltaTValue();
@@ -67,6 +76,13 @@ int main(int argc, char *argv[])
 
     while (runTime.run())
     {
+        // Now that function objects have seen it
+        if (toWrite && together())
+        {
+            #include "write.H"
+            toWrite = false;
+        }
+
         #include "readTimeControls.H"
         #include "timeStep.H"
 
@@ -103,15 +119,36 @@ int main(int argc, char *argv[])
             }
         }
 
-        if (stop.requested() && (!grains.active() || grains.due()))
+        toWrite = toWrite || runTime.writeTime();
+        asked = together() && stop.requested();
+
+        if (asked)
         {
             Info<< "Asked to stop: writing, then ending" << endl;
-            runTime.writeAndEnd();
+            runTime.setEndTime(runTime.value());
+        }
+        else if
+        (
+            !together()
+         && runTime.value()
+          > runTime.endTime().value() - 0.5*runTime.deltaTValue()
+        )
+        {
+            // stopAt writeNow: the interval is finished first
+            runTime.setEndTime(runTime.value() + runTime.deltaTValue());
         }
 
-        #include "write.H"
-
         runTime.printExecutionTime(Info);
+    }
+
+    // The end is written wherever it is: times to write count from the start
+    if
+    (
+        runTime.timeIndex() > runTime.startTimeIndex()
+     && (toWrite || asked || grains.active())
+    )
+    {
+        #include "write.H"
     }
 
     grains.times().print();

@@ -61,6 +61,7 @@ Foam::liggghtsPhase::liggghtsPhase
     (
         keywords::patterns(dict_, "outflow", mesh.boundaryMesh().names())
     ),
+    openings_(openings()),
     liggghts_(mesh.time().globalPath()/"log.liggghts"),
     walls_(mesh, keywords::sub(dict_, "walls"), physicsScript_),
     fluid_(nullptr),
@@ -262,49 +263,6 @@ void Foam::liggghtsPhase::refresh()
 }
 
 
-Foam::label Foam::liggghtsPhase::nInserted() const
-{
-    const LAMMPS_NS::Modify& modify = *liggghts_->modify;
-    scalar n = 0;
-
-    for (label i = 0; i < modify.nfix; ++i)
-    {
-        LAMMPS_NS::Fix& fix = *modify.fix[i];
-
-        if (string(fix.style).substr(0, 7) == "insert/")
-        {
-            n += fix.compute_vector(0);
-        }
-    }
-
-    return label(n + 0.5);
-}
-
-
-void Foam::liggghtsPhase::countGrains()
-{
-    const label inserted = nInserted();
-    const label now = nTotal();
-    const label gone = nGrains_ + inserted - nInserted_ - now;
-
-    if (gone > 0 && outflow_.empty())
-    {
-        FatalErrorInFunction
-            << gone << " of " << nGrains_ << " grains left the box of LIGGGHTS"
-            << " by time " << mesh_.time().timeName() << nl
-            << "    Either they passed a wall (make the DEM step shorter or"
-            << " the grains stiffer), or name the patches through which they"
-            << " may leave in LIGGGHTS/outflow of"
-            << " constant/granularProperties." << exit(FatalError);
-    }
-
-    nEntered_ += inserted - nInserted_;
-    nLeft_ += gone;
-    nInserted_ = inserted;
-    nGrains_ = now;
-}
-
-
 bool Foam::liggghtsPhase::mobile() const
 {
     const LAMMPS_NS::Modify& modify = *liggghts_->modify;
@@ -314,26 +272,6 @@ bool Foam::liggghtsPhase::mobile() const
         if (modify.fix[i]->time_integrate)
         {
             return true;
-        }
-    }
-
-    return false;
-}
-
-
-bool Foam::liggghtsPhase::mayLeave(const point& p) const
-{
-    for (const polyPatch& patch : mesh_.boundaryMesh())
-    {
-        if (outflow_.match(patch.name()) && patch.size())
-        {
-            const vector area(sum(patch.faceAreas()));
-            const point centre(average(patch.faceCentres()));
-
-            if (((p - centre) & area) > 0)
-            {
-                return true;
-            }
         }
     }
 
@@ -370,6 +308,7 @@ void Foam::liggghtsPhase::setFluidForce
 
 void Foam::liggghtsPhase::advance()
 {
+    before_.note(id_, position_, velocity_);
     liggghts_.run(stepsPerExchange());
 
     refresh();

@@ -108,6 +108,15 @@ void Foam::grainCoupling::checkWriting(const Time& runTime) const
             << " that is a whole number of intervals." << exit(FatalIOError);
     }
 
+    if (control.lookupOrDefault<label>("purgeWrite", 0) == 1)
+    {
+        FatalIOErrorInFunction(control)
+            << "purgeWrite 1 removes the last time before the next one is"
+            << " complete: a run killed just then has none to go on from." << nl
+            << "    Use purgeWrite 2, or more, or 0 to keep all."
+            << exit(FatalIOError);
+    }
+
     for (const word key : {"writeInterval", "endTime"})
     {
         const scalar value =

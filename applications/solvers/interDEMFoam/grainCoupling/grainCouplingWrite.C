@@ -87,8 +87,11 @@ bool Foam::grainCoupling::write()
 
     const bool stateComplete = phase_->writeState(folder);
 
-    // Writing the state may bring grains to other ranks
+    // Writing the state may bring grains to other ranks and in another order.
+    // Sums in that order are what a restart finds, to the last bit
     locateGrains();
+    porosity_->update();
+    solidAfter_ = porosity_->solidFraction();
 
     return returnReduce(cloudComplete && stateComplete, andOp<bool>());
 }

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Grains computed by LIGGGHTS: which may leave the mesh, and which did.
+
+#include "liggghtsPhase.H"
+
+#include "Time.H"
+
+#include <liggghts/domain.h>
+#include <liggghts/fix.h>
+#include <liggghts/lammps.h>
+#include <liggghts/modify.h>
+
+Foam::List<Foam::Pair<Foam::vector>> Foam::liggghtsPhase::openings() const
+{
+    DynamicList<Pair<vector>> result;
+
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (outflow_.match(patch.name()))
+        {
+            const vectorField areas(patch.faceAreas());
+            const vectorField centres(patch.faceCentres());
+            const scalar area = gSum(mag(areas));
+
+            if (area > 0)
+            {
+                result.append
+                (
+                    Pair<vector>(gSum(mag(areas)*centres)/area, gSum(areas))
+                );
+            }
+        }
+    }
+
+    return List<Pair<vector>>(std::move(result));
+}
+
+
+Foam::label Foam::liggghtsPhase::nInserted() const
+{
+    const LAMMPS_NS::Modify& modify = *liggghts_->modify;
+    scalar n = 0;
+
+    for (label i = 0; i < modify.nfix; ++i)
+    {
+        LAMMPS_NS::Fix& fix = *modify.fix[i];
+
+        if (string(fix.style).substr(0, 7) == "insert/")
+        {
+            n += fix.compute_vector(0);
+        }
+    }
+
+    return label(n + 0.5);
+}
+
+
+bool Foam::liggghtsPhase::mayLeave(const point& p) const
+{
+    for (const Pair<vector>& opening : openings_)
+    {
+        if (((p - opening.first()) & opening.second()) > 0)
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
+bool Foam::liggghtsPhase::leftAsAllowed
+(
+    const point& from,
+    const vector& velocity
+) const
+{
+    // Through which side of LIGGGHTS's box it went, within twice the interval
+    // since forces may have changed its velocity
+    const LAMMPS_NS::Domain& domain = *liggghts_->domain;
+    scalar soonest = 2*exchangeInterval();
+    point leavesAt(from);
+    bool out = false;
+
+    for (direction k = 0; k < 3; ++k)
+    {
+        if (domain.periodicity[k] || velocity[k] == 0)
+        {
+            continue;
+        }
+
+        const scalar side =
+            velocity[k] > 0 ? domain.boxhi[k] : domain.boxlo[k];
+        const scalar after = max((side - from[k])/velocity[k], scalar(0));
+
+        if (after < soonest)
+        {
+            out = true;
+            soonest = after;
+            leavesAt = from + after*velocity;
+            leavesAt[k] = side + sign(velocity[k])*1e-6*mesh_.bounds().mag();
+        }
+    }
+
+    // One that did not come to a side was taken away by a command of the case
+    return out ? mayLeave(leavesAt) : !openings_.empty();
+}
+
+
+void Foam::liggghtsPhase::checkLeft() const
+{
+    label nWrong = 0;
+    rollCall::seen first;
+
+    for (const rollCall::seen& grain : before_.missing(id_))
+    {
+        if (!leftAsAllowed(grain.second().first(), grain.second().second()))
+        {
+            first = nWrong++ ? first : grain;
+        }
+    }
+
+    if (nWrong && Pstream::master())
+    {
+        FatalErrorInFunction
+            << "Grain " << first.first() << " left the mesh where it may not,"
+            << " by time " << mesh_.time().timeName() << " s." << nl
+            << "    One exchange interval before, it was at "
+            << first.second().first() << " m with velocity "
+            << first.second().second() << " m/s." << nl
+            << "    " << nWrong << " of " << nGrains_ << " grains left so."
+            << nl
+            << "    If grains pass a wall: shorten the DEM step or make the"
+            << " grains stiffer. If they may leave: name the patches in"
+            << " LIGGGHTS/outflow of constant/granularProperties."
+            << exit(FatalError);
+    }
+
+    // Until the master has ended the run
+    returnReduce(nWrong, maxOp<label>());
+}
+
+
+void Foam::liggghtsPhase::countGrains()
+{
+    const label inserted = nInserted();
+    const label now = nTotal();
+    const label gone = nGrains_ + inserted - nInserted_ - now;
+
+    if (gone > 0)
+    {
+        checkLeft();
+    }
+
+    nEntered_ += inserted - nInserted_;
+    nLeft_ += gone;
+    nInserted_ = inserted;
+    nGrains_ = now;
+}
