@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The statistics of misfitFoam: covariance, response surface, fit, scan.
+
+#include "misfitWorld.H"
+#include "scan.H"
+#include "testNumber.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+namespace
+{
+
+//- A channel of n samples of ten readings each, 0.1 s apart
+stacked oneChannel(const label n, const scalar memory)
+{
+    stacked data;
+    segment s;
+    s.name = "S1";
+    s.quantity = "pressure";
+    s.size = n;
+    s.x = vec::LinSpaced(n, 0, 0.1*(n - 1));
+    s.span = 0.1;
+    s.readings = vec::Constant(n, 10);
+    s.uncertainty = 2;
+    s.memory = memory;
+    data.segments.append(s);
+    data.y = vec::Zero(n);
+    return data;
+}
+
+
+//- Noise with a memory, its samples averaged over ten readings
+vec averagedNoise(const label n, const scalar memory, std::mt19937& generator)
+{
+    std::normal_distribution<scalar> normal;
+    const scalar keep = std::exp(-0.01/memory);
+    scalar e = normal(generator);
+    vec v = vec::Zero(n);
+    for (label k = 0; k < n; ++k)
+    {
+        for (label i = 0; i < 10; ++i)
+        {
+            v[k] += 0.1*2*e;
+            e = keep*e + std::sqrt(1 - keep*keep)*normal(generator);
+        }
+    }
+    return v;
+}
+
+
+//- A quadratic in two variables, three samples
+vec quadratic(const vec& x)
+{
+    vec f(3);
+    f << 1 + 2*x[0] - x[1] + x[0]*x[0],
+        3*x[1] + 0.5*x[1]*x[1],
+        x[0] + 2*x[0]*x[1];
+    return f;
+}
+
+
+//- A straight line through the samples, with priors and bounds
+class line
+:
+    public fittedModel
+{
+public:
+
+    mat a;
+    vec priorMean, priorDeviation, least, most;
+
+    vec operator()(const vec& x) const override
+    {
+        return a*x;
+    }
+
+    mat slopes(const vec&) const override
+    {
+        return a;
+    }
+
+    vec lower() const override
+    {
+        return least;
+    }
+
+    vec upper() const override
+    {
+        return most;
+    }
+
+    vec mean() const override
+    {
+        return priorMean;
+    }
+
+    vec deviation() const override
+    {
+        return priorDeviation;
+    }
+};
+
+
+line threePoints()
+{
+    line l;
+    l.a.resize(3, 2);
+    l.a << 1, 0, 1, 1, 1, 2;
+    l.priorMean = vec::Zero(2);
+    l.priorDeviation = vec::Constant(2, 10);
+    l.least = vec::Constant(2, -100);
+    l.most = vec::Constant(2, 100);
+    return l;
+}
+
+} // End anonymous namespace
+
+
+TEST(misfitCovariance, whiteNoiseIsAveragedOverTheReadings)
+{
+    const stacked data(oneChannel(5, 0));
+    const mat c = covariance(data, 0).at(data.y);
+    EXPECT_NEAR((c - 0.4*mat::Identity(5, 5)).norm(), 0, 1e-12);
+}
+
+
+TEST(misfitCovariance, noiseWithAMemoryIsThatOfTheAveragedProcess)
+{
+    std::mt19937 generator(1);
+    const label n = 6;
+    const stacked data(oneChannel(n, 0.15));
+    const mat expected = covariance(data, 0).at(data.y);
+    mat found = mat::Zero(n, n);
+    const label draws = 20000;
+    for (label k = 0; k < draws; ++k)
+    {
+        const vec v = averagedNoise(n, 0.15, generator);
+        found += v*v.transpose()/draws;
+    }
+    EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), 0.04*expected(0, 0));
+}
+
+
+TEST(misfitCovariance, gainAndStartOfTimeAddTheirDirections)
+{
+    stacked data(oneChannel(5, 0));
+    data.segments[0].gainUncertainty = 0.1;
+    vec f(5);
+    f << 0, 1, 4, 9, 16;
+    const mat c = covariance(data, 0.02).at(f);
+    vec slope(5);
+    slope << 10, 20, 40, 60, 70;
+    const mat expected =
+        0.4*mat::Identity(5, 5) + 0.01*f*f.transpose()
+      + 0.0004*slope*slope.transpose();
+    EXPECT_NEAR((c - expected).norm(), 0, 1e-9);
+}
+
+
+TEST(misfitCovariance, twentyPackingsGiveItsSizeAndMemory)
+{
+    std::mt19937 generator(3);
+    const label n = 40;
+    const stacked data(oneChannel(n, 0));
+    mat runs(n, 20);
+    for (label r = 0; r < 20; ++r)
+    {
+        runs.col(r) = 10*averagedNoise(n, 0.3, generator);
+    }
+    covariance c(data, 0);
+    c.addRepeats(runs, 1);
+    const mat all = c.at(data.y);
+
+    // Twice the spread of the runs: the recording is one draw, the run another
+    scalar spread = 0;
+    for (label r = 0; r < 20; ++r)
+    {
+        spread += (runs.col(r) - runs.rowwise().mean()).squaredNorm()/19/n;
+    }
+    EXPECT_NEAR(all.trace()/n, 2*spread + 0.4, 0.1*spread);
+    EXPECT_NEAR(c.memory()*data.segments[0].duration(), 0.3, 0.15);
+    EXPECT_GT(c.shrinkage(), 0.3);
+
+    // Whitened, a new run looks like independent numbers
+    const whitener white(all);
+    scalar sum = 0;
+    for (label k = 0; k < 200; ++k)
+    {
+        const vec misfit =
+            10*averagedNoise(n, 0.3, generator)
+          - 10*averagedNoise(n, 0.3, generator);
+        sum += white(misfit).squaredNorm()/n/200;
+    }
+    testNumber("mean square of whitened runs", sum);
+    EXPECT_NEAR(sum, 1, 0.35);
+}
+
+
+TEST(misfitCovariance, correlatedSamplesCountForLess)
+{
+    EXPECT_NEAR(whitener(mat::Identity(7, 7)).effectiveSize(), 7, 1e-9);
+    mat c = mat::Constant(7, 7, 0.999);
+    c.diagonal().setOnes();
+    EXPECT_NEAR(whitener(c).effectiveSize(), 1, 0.05);
+}
+
+
+TEST(misfitSurface, eachUnknownChangedAloneGivesItsQuadratic)
+{
+    mat x(2, 5);
+    x << 0, 1, -1, 0, 0,
+        0, 0, 0, 0.5, 2;
+    mat y(3, 5);
+    for (label r = 0; r < 5; ++r)
+    {
+        y.col(r) = quadratic(x.col(r));
+    }
+    const responseSurface s(x, y, vec::Zero(2), vec::Constant(2, 1));
+    EXPECT_EQ(s.nTerms(), 5);
+    EXPECT_EQ(s.leftOut().cols(), 0);
+    vec at(2);
+    at << 0.7, 0;
+    EXPECT_NEAR((s(at) - quadratic(at)).norm(), 0, 1e-9);
+    at << 0, 1.3;
+    EXPECT_NEAR((s(at) - quadratic(at)).norm(), 0, 1e-9);
+}
+
+
+TEST(misfitSurface, aBankGivesMixedTermsAndItsOwnError)
+{
+    std::mt19937 generator(5);
+    std::uniform_real_distribution<scalar> any(-1, 1);
+    std::normal_distribution<scalar> normal;
+    mat x(2, 30);
+    mat y(3, 30);
+    for (label r = 0; r < 30; ++r)
+    {
+        x.col(r) << any(generator), any(generator);
+        y.col(r) = quadratic(x.col(r));
+        y(1, r) += 0.1*normal(generator);
+    }
+    const responseSurface s(x, y, vec::Zero(2), vec::Constant(2, 2));
+    EXPECT_EQ(s.nTerms(), 6);
+    vec at(2);
+    at << 0.3, -0.6;
+    EXPECT_NEAR(s(at)[0], quadratic(at)[0], 1e-9);
+    EXPECT_NEAR(s(at)[2], quadratic(at)[2], 1e-9);
+    EXPECT_NEAR(s(at)[1], quadratic(at)[1], 0.15);
+
+    // The error at a run is what a surface made without that run shows
+    ASSERT_EQ(s.leftOut().cols(), 30);
+    for (label r = 0; r < 30; ++r)
+    {
+        mat otherX(2, 29);
+        mat otherY(3, 29);
+        otherX << x.leftCols(r), x.rightCols(29 - r);
+        otherY << y.leftCols(r), y.rightCols(29 - r);
+        const responseSurface without
+        (
+            otherX, otherY, vec::Zero(2), vec::Constant(2, 2)
+        );
+        EXPECT_NEAR
+        (
+            (y.col(r) - without(x.col(r)) - s.leftOut().col(r)).norm(), 0, 1e-9
+        );
+    }
+}
+
+
+TEST(misfitSurface, slopesAreDifferencesAndARunIsMet)
+{
+    const world w(10);
+    responseSurface s(w.bank(80, 2));
+    vec at = vec::Constant(w.bounds.mean.size(), 0.2);
+    const mat slopes = s.slopes(at);
+    for (label i = 0; i < at.size(); ++i)
+    {
+        vec beside = at;
+        beside[i] += 1e-6;
+        EXPECT_LT
+        (
+            ((s(beside) - s(at))/1e-6 - slopes.col(i)).norm(),
+            1e-4*(1 + slopes.col(i).norm())
+        );
+    }
+    const vec run = w(at);
+    EXPECT_GT((s(at) - run).norm(), 1e-3);
+    s.passThrough(at, run);
+    EXPECT_NEAR((s(at) - run).norm(), 0, 1e-9);
+}
+
+
+TEST(misfitFit, withAPriorItIsTheClosedForm)
+{
+    line l(threePoints());
+    l.priorMean << 1, 2;
+    l.priorDeviation << 0.5, 3;
+    vec y(3);
+    y << 2, 3, 7;
+    const whitener white(0.25*mat::Identity(3, 3));
+    const fitted best(fit(l, y, white));
+
+    mat precision = 4*l.a.transpose()*l.a;
+    precision(0, 0) += 4;
+    precision(1, 1) += 1./9;
+    vec right = 4*l.a.transpose()*y;
+    right[0] += 4*1;
+    right[1] += 2./9;
+    const vec expected = precision.inverse()*right;
+    EXPECT_NEAR((best.x - expected).norm(), 0, 1e-6);
+    EXPECT_NEAR((best.covariance - precision.inverse()).norm(), 0, 1e-9);
+    EXPECT_NEAR(best.misfit, 4*(y - l.a*expected).squaredNorm(), 1e-6);
+}
+
+
+TEST(misfitFit, aBoundHoldsAndIsTold)
+{
+    line l(threePoints());
+    l.priorDeviation.setZero();
+    l.least << -100, 0;
+    vec y(3);
+    y << 5, 4, 3;
+    const fitted best(fit(l, y, whitener(mat::Identity(3, 3))));
+    EXPECT_NEAR(best.x[1], 0, 1e-9);
+    EXPECT_NEAR(best.x[0], 4, 1e-6);
+    EXPECT_TRUE(best.pinned[1]);
+    EXPECT_FALSE(best.pinned[0]);
+    EXPECT_EQ(best.deviation(1), 0);
+    EXPECT_NEAR(best.deviation(0), std::sqrt(1./3), 1e-9);
+}
+
+
+TEST(misfitScan, falseAlarmsAreAsFewAsSaid)
+{
+    const world w;
+    const covariance c(w.data, 0);
+    const whitener white(c.at(w.data.y));
+    const scan look(w.data, white, 1000, 1);
+    std::mt19937 generator(11);
+    label alarms = 0;
+    const label n = 400;
+    for (label k = 0; k < n; ++k)
+    {
+        alarms += look(w.noise(generator), 0.05).p < 0.05;
+    }
+    testNumber("false alarms of the scan [%]", 100.*alarms/n);
+
+    // Twenty are expected; two and a half standard deviations beyond
+    EXPECT_LE(alarms, 20 + 2.5*std::sqrt(20.));
+    EXPECT_GE(alarms, 20 - 2.5*std::sqrt(20.));
+}
+
+
+TEST(misfitScan, aDifferenceIsFoundWhereItIs)
+{
+    const world w;
+    const whitener white(covariance(w.data, 0).at(w.data.y));
+    const scan look(w.data, white, 500, 1);
+    std::mt19937 generator(4);
+    vec misfit = w.noise(generator);
+    misfit.segment(40 + 10, 8).array() -= 40;
+    const scanned found(look(misfit, 0.05));
+    EXPECT_LT(found.p, 0.01);
+    ASSERT_EQ(found.windows.size(), 1);
+    EXPECT_EQ(found.windows[0].segment, 1);
+    EXPECT_NEAR(found.windows[0].begin, 10, 2);
+    EXPECT_NEAR(found.windows[0].end, 18, 2);
+    EXPECT_LT(found.windows[0].size, -4);
+}
+
+
+TEST(misfitScan, whatCalibrationCanExplainIsNoFinding)
+{
+    const world w;
+    const mat c = covariance(w.data, 0).at(w.data.y);
+    const responseSurface s(w.bank(80, 2));
+    const vec direction = s.slopes(w.bounds.mean).col(0);
+    const mat all = withFitted(c, direction, vec::Zero(1));
+    const whitener white(all);
+    const scan look(w.data, white, 500, 1);
+    std::mt19937 generator(4);
+    const vec e = w.noise(generator);
+    EXPECT_GT(look(e, 0.05).p, 0.05);
+    EXPECT_GT(look(e + 0.3*direction, 0.05).p, 0.05);
+}

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Fits a model of the samples to what was recorded, within bounds and priors.
+
+#include "boundedFit.H"
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+//- 1 over the variance of the prior; 0 where nothing is known
+vec priorWeight(const fittedModel& model)
+{
+    vec w = model.deviation();
+    for (scalar& d : w)
+    {
+        d = d > 0 ? 1/(d*d) : 0;
+    }
+    return w;
+}
+
+
+//- Sets f, misfit and objective at x
+void evaluate
+(
+    const fittedModel& model,
+    const vec& y,
+    const whitener& white,
+    fitted& at
+)
+{
+    at.f = model(at.x);
+    at.misfit = white(vec(y - at.f)).squaredNorm();
+    at.objective =
+        at.misfit
+      + priorWeight(model).dot((at.x - model.mean()).cwiseAbs2());
+}
+
+
+//- Curvature of half the objective at x
+mat curvature(const mat& slopes, const vec& prior)
+{
+    mat a = slopes.transpose()*slopes;
+    a.diagonal() += prior;
+    return a;
+}
+
+
+//- Sets covariance and pinned
+void findCovariance
+(
+    const fittedModel& model,
+    const whitener& white,
+    fitted& at
+)
+{
+    const label n = at.x.size();
+    const vec lower = model.lower();
+    const vec upper = model.upper();
+    List<label> open;
+    at.pinned.resize(n, false);
+    for (label i = 0; i < n; ++i)
+    {
+        const scalar near = 1e-6*(upper[i] - lower[i]);
+        at.pinned[i] = at.x[i] < lower[i] + near || at.x[i] > upper[i] - near;
+        if (!at.pinned[i])
+        {
+            open.append(i);
+        }
+    }
+
+    const mat all =
+        curvature(white(model.slopes(at.x)), priorWeight(model));
+    at.covariance = mat::Zero(n, n);
+    if (open.empty())
+    {
+        return;
+    }
+    mat some(open.size(), open.size());
+    forAll(open, i)
+    {
+        forAll(open, j)
+        {
+            some(i, j) = all(open[i], open[j]);
+        }
+    }
+    const mat inverse = some.completeOrthogonalDecomposition().pseudoInverse();
+    forAll(open, i)
+    {
+        forAll(open, j)
+        {
+            at.covariance(open[i], open[j]) = inverse(i, j);
+        }
+    }
+}
+
+
+fitted fitFrom
+(
+    const fittedModel& model,
+    const vec& y,
+    const whitener& white,
+    const vec& start
+)
+{
+    const vec lower = model.lower();
+    const vec upper = model.upper();
+    const vec prior = priorWeight(model);
+    const vec mean = model.mean();
+
+    fitted now;
+    now.x = start.cwiseMax(lower).cwiseMin(upper);
+    evaluate(model, y, white, now);
+
+    scalar damping = 1e-4;
+    for (label iteration = 0; iteration < 60 && damping < 1e8; ++iteration)
+    {
+        const mat slopes = white(model.slopes(now.x));
+        mat a = curvature(slopes, prior);
+        const vec b =
+            slopes.transpose()*white(vec(y - now.f))
+          - prior.cwiseProduct(now.x - mean);
+        a.diagonal() += damping*a.diagonal().cwiseMax(VSMALL);
+
+        fitted next;
+        next.x =
+            now.x
+          + boxMinimum
+            (
+                a, b, lower - now.x, upper - now.x, vec::Zero(now.x.size())
+            );
+        evaluate(model, y, white, next);
+
+        if (next.objective < now.objective)
+        {
+            const scalar gain = now.objective - next.objective;
+            now = next;
+            damping *= 0.2;
+            if (gain < 1e-8*(1 + now.objective))
+            {
+                break;
+            }
+        }
+        else
+        {
+            damping *= 8;
+        }
+    }
+    return now;
+}
+
+} // End anonymous namespace
+
+
+Foam::misfit::vec Foam::misfit::boxMinimum
+(
+    const mat& a,
+    const vec& b,
+    const vec& lower,
+    const vec& upper,
+    vec x
+)
+{
+    for (label sweep = 0; sweep < 500; ++sweep)
+    {
+        scalar moved = 0;
+        for (label i = 0; i < x.size(); ++i)
+        {
+            if (a(i, i) <= 0)
+            {
+                continue;
+            }
+            const scalar old = x[i];
+            const scalar free = old + (b[i] - a.row(i).dot(x))/a(i, i);
+            x[i] = min(max(free, lower[i]), upper[i]);
+            moved += a(i, i)*sqr(x[i] - old);
+        }
+        if (moved < 1e-16*(1 + b.dot(x)*b.dot(x)))
+        {
+            break;
+        }
+    }
+    return x;
+}
+
+
+Foam::misfit::fitted Foam::misfit::fit
+(
+    const fittedModel& model,
+    const vec& y,
+    const whitener& white
+)
+{
+    fitted best;
+    best.objective = GREAT;
+    for (const vec& start : model.starts())
+    {
+        const fitted one(fitFrom(model, y, white, start));
+        if (one.objective < best.objective)
+        {
+            best = one;
+        }
+    }
+    findCovariance(model, white, best);
+    return best;
+}

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a faulty sensor makes of what it should have shown.
+
+#include "sensorFault.H"
+#include "StringStream.H"
+
+#include <cmath>
+
+const Foam::Enum<Foam::misfit::sensorFault::kind>
+Foam::misfit::sensorFault::names
+({
+    {kind::lag, "lag"},
+    {kind::gain, "gain"},
+    {kind::zero, "zero"},
+    {kind::drift, "drift"},
+    {kind::clock, "clock"},
+    {kind::clogged, "clogged"},
+    {kind::swapped, "swapped"},
+    {kind::misplaced, "misplaced"},
+    {kind::units, "units"}
+});
+
+
+bool Foam::misfit::sensorFault::isRegistration(const kind k)
+{
+    return
+        k == kind::clock || k == kind::swapped || k == kind::misplaced
+     || k == kind::units;
+}
+
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+//- A vector of one or two numbers
+vec numbers(std::initializer_list<scalar> list)
+{
+    vec v(list.size());
+    label i = 0;
+    for (const scalar n : list)
+    {
+        v[i++] = n;
+    }
+    return v;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::misfit::sensorFault::range() const
+{
+    return
+        max(at().of(data_->y).maxCoeff() - at().of(data_->y).minCoeff(), SMALL);
+}
+
+
+Foam::misfit::vec
+Foam::misfit::sensorFault::lagged(const vec& f, const scalar time) const
+{
+    const segment& s = at();
+    vec shown = s.of(f);
+    if (time <= 1e-9*s.duration())
+    {
+        return shown;
+    }
+    for (label i = 1; i < s.size; ++i)
+    {
+        const scalar h = s.x[i] - s.x[i-1];
+        const scalar before = f[s.first + i - 1];
+        const scalar now = f[s.first + i];
+        const scalar behind = time*(now - before)/h;
+        shown[i] =
+            now - behind
+          + (shown[i-1] - before + behind)*std::exp(-min(h/time, 700.0));
+    }
+    return shown;
+}
+
+
+Foam::misfit::vec Foam::misfit::sensorFault::across
+(
+    const vec& f,
+    const segment& from,
+    const segment& to
+) const
+{
+    vec values(to.size);
+    label k = 0;
+    for (label i = 0; i < to.size; ++i)
+    {
+        const scalar x = min(max(to.x[i], from.x[0]), from.x[from.size - 1]);
+        while (k + 2 < from.size && from.x[k+1] < x)
+        {
+            ++k;
+        }
+        const scalar w = (x - from.x[k])/(from.x[k+1] - from.x[k]);
+        values[i] =
+            (1 - w)*f[from.first + k] + w*f[from.first + k + 1];
+    }
+    return values;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::misfit::sensorFault::sensorFault
+(
+    const stacked& data,
+    const kind k,
+    const label segment,
+    const label other,
+    const scalar factor
+)
+:
+    data_(&data),
+    kind_(k),
+    segment_(segment),
+    other_(other),
+    factor_(factor)
+{}
+
+
+// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
+
+Foam::string Foam::misfit::sensorFault::told() const
+{
+    string words(names[kind_] + " of " + channel());
+    if (other_ >= 0)
+    {
+        words +=
+            (kind_ == kind::swapped ? " with " : " towards ")
+          + data_->segments[other_].name;
+    }
+    return words;
+}
+
+
+Foam::string Foam::misfit::sensorFault::told(const vec& u) const
+{
+    OStringStream os;
+    os.precision(3);
+    os << channel().c_str();
+    switch (kind_)
+    {
+        case kind::lag:
+            os << " lags by " << u[0] << " s";
+            break;
+        case kind::gain:
+            os << " reads " << mag(100*u[0]) << " % too "
+                << (u[0] > 0 ? "high" : "low");
+            break;
+        case kind::zero:
+            os << " has its zero off by " << u[0];
+            break;
+        case kind::drift:
+            os << " drifts by " << u[0] << " over the record";
+            break;
+        case kind::clock:
+            os << "'s clock is " << mag(u[0]) << " s "
+                << (u[0] > 0 ? "late" : "early");
+            break;
+        case kind::clogged:
+            os << " is clogged: it lags by " << u[0] << " s and shows "
+                << 100*(1 + u[1]) << " % of the pressure";
+            break;
+        case kind::swapped:
+            os << " and " << data_->segments[other_].name.c_str()
+                << " are exchanged";
+            break;
+        case kind::misplaced:
+            os << " is not at its place but " << 100*u[0]
+                << " % of the way to "
+                << data_->segments[other_].name.c_str();
+            break;
+        case kind::units:
+            os << " is in another unit: its values are " << factor_
+                << " times what they should be";
+            break;
+    }
+    return os.str();
+}
+
+
+Foam::label Foam::misfit::sensorFault::size() const
+{
+    return
+        kind_ == kind::clogged ? 2
+      : kind_ == kind::swapped || kind_ == kind::units ? 0 : 1;
+}
+
+
+Foam::misfit::vec Foam::misfit::sensorFault::lower() const
+{
+    switch (kind_)
+    {
+        case kind::lag: return numbers({0});
+        case kind::gain: return numbers({-1});
+        case kind::zero: return numbers({-10*range()});
+        case kind::drift: return numbers({-10*range()});
+        case kind::clock: return numbers({-0.5*at().duration()});
+        case kind::clogged: return numbers({0, -1});
+        case kind::misplaced: return numbers({0});
+        default: return vec(0);
+    }
+}
+
+
+Foam::misfit::vec Foam::misfit::sensorFault::upper() const
+{
+    switch (kind_)
+    {
+        case kind::lag: return numbers({at().duration()});
+        case kind::gain: return numbers({9});
+        case kind::zero: return numbers({10*range()});
+        case kind::drift: return numbers({10*range()});
+        case kind::clock: return numbers({0.5*at().duration()});
+        case kind::clogged: return numbers({2*at().duration(), 0});
+        case kind::misplaced: return numbers({1.5});
+        default: return vec(0);
+    }
+}
+
+
+Foam::List<Foam::misfit::vec> Foam::misfit::sensorFault::starts() const
+{
+    const scalar d = at().duration();
+    switch (kind_)
+    {
+        case kind::lag:
+            return {numbers({0.01*d}), numbers({0.1*d})};
+        case kind::clock:
+            return
+            {
+                numbers({-0.1*d}), numbers({-0.02*d}),
+                numbers({0.02*d}), numbers({0.1*d})
+            };
+        case kind::clogged:
+            return {numbers({0.05*d, -0.3}), numbers({0.5*d, -0.05})};
+        case kind::misplaced:
+            return {numbers({0.3})};
+        default:
+            return {vec(vec::Zero(size()))};
+    }
+}
+
+
+Foam::misfit::vec
+Foam::misfit::sensorFault::operator()(const vec& f, const vec& u) const
+{
+    const segment& s = at();
+    vec shown = f;
+    auto here = s.of(shown);
+    switch (kind_)
+    {
+        case kind::lag:
+            here = lagged(f, u[0]);
+            break;
+        case kind::gain:
+            here *= 1 + u[0];
+            break;
+        case kind::zero:
+            here.array() += u[0];
+            break;
+        case kind::drift:
+            here += u[0]/s.duration()*vec(s.x.array() - s.x[0]);
+            break;
+        case kind::clock:
+        {
+            segment late(s);
+            late.x.array() += u[0];
+            here = across(f, late, s);
+            break;
+        }
+        case kind::clogged:
+            here = (1 + u[1])*lagged(f, u[0]);
+            break;
+        case kind::swapped:
+        {
+            const segment& o = data_->segments[other_];
+            here = across(f, o, s);
+            o.of(shown) = across(f, s, o);
+            break;
+        }
+        case kind::misplaced:
+            here =
+                (1 - u[0])*s.of(f)
+              + u[0]*across(f, data_->segments[other_], s);
+            break;
+        case kind::units:
+            here *= factor_;
+            break;
+    }
+    return shown;
+}
+
+
+Foam::List<Foam::misfit::sensorFault> Foam::misfit::possibleFaults
+(
+    const stacked& data,
+    const List<sensorFault::kind>& kinds
+)
+{
+    using kind = sensorFault::kind;
+    List<sensorFault> all;
+    forAll(data.segments, i)
+    {
+        const segment& a = data.segments[i];
+        for (const kind k : kinds)
+        {
+            const bool needsTime =
+                k == kind::lag || k == kind::drift || k == kind::clock
+             || k == kind::clogged;
+
+            if (needsTime && !a.overTime)
+            {
+                continue;
+            }
+            if (k == kind::units)
+            {
+                for (const scalar f : {1e-3, 1e3, 0.01, 100., 0.1, 10., -1.})
+                {
+                    all.append(sensorFault(data, k, i, -1, f));
+                }
+                continue;
+            }
+            if (k != kind::swapped && k != kind::misplaced)
+            {
+                all.append(sensorFault(data, k, i));
+                continue;
+            }
+            forAll(data.segments, j)
+            {
+                const segment& b = data.segments[j];
+                const bool alike =
+                    a.quantity == b.quantity && a.overTime == b.overTime;
+                if (alike && i != j && (k == kind::misplaced || i < j))
+                {
+                    all.append(sensorFault(data, k, i, j));
+                }
+            }
+        }
+    }
+    return all;
+}

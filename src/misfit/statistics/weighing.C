@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Possible explanations of a misfit, fitted and weighed in one way: the weights.
+
+#include "hypothesis.H"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+//- The sort that the number of hypotheses counts in
+label sortOf(const hypothesis& h)
+{
+    return h.fault ? 3 : h.unknown ? 4 : h.mechanisms.size();
+}
+
+
+//- Adds twice the logarithm of the number of hypotheses of its sort
+void addNumbers(List<weighed>& list)
+{
+    List<label> number(5, 0);
+    for (const weighed& w : list)
+    {
+        ++number[sortOf(w.what)];
+    }
+    for (weighed& w : list)
+    {
+        w.score += 2*std::log(scalar(number[sortOf(w.what)]));
+    }
+}
+
+
+void sortByScore(List<weighed>& list)
+{
+    std::sort
+    (
+        list.begin(),
+        list.end(),
+        [](const weighed& a, const weighed& b) { return a.score < b.score; }
+    );
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::misfit::mat Foam::misfit::weighing::unknownShape
+(
+    const scalar amplitude,
+    const scalar length
+) const
+{
+    mat k = mat::Zero(data_.size(), data_.size());
+    for (const segment& s : data_.segments)
+    {
+        const scalar size =
+            amplitude*(s.of(data_.y).maxCoeff() - s.of(data_.y).minCoeff());
+        for (label i = 0; i < s.size; ++i)
+        {
+            for (label j = 0; j < s.size; ++j)
+            {
+                const scalar d = (s.x[i] - s.x[j])/(length*s.duration());
+                k(s.first + i, s.first + j) =
+                    sqr(size)*std::exp(-min(0.5*d*d, 700.0));
+            }
+        }
+    }
+    return k;
+}
+
+
+Foam::misfit::weighed
+Foam::misfit::weighing::weighUnknown(const weighed& base) const
+{
+    hypothesis h;
+    h.unknown = true;
+    weighed best;
+    for (const scalar length : {0.03, 0.1, 0.3})
+    {
+        for (scalar amplitude = 0.01; amplitude < 1.5; amplitude *= 2)
+        {
+            const whitener white
+            (
+                base.covariance + unknownShape(amplitude, length)
+            );
+            const weighed w(quickly(h, white));
+            if (w.score < best.score)
+            {
+                best = w;
+                best.amplitude = amplitude;
+                best.length = length;
+            }
+        }
+    }
+    best.covariance =
+        base.covariance + unknownShape(best.amplitude, best.length);
+    return best;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::misfit::weighing::weighing
+(
+    const stacked& data,
+    const responseSurface& surface,
+    const variableBounds& bounds,
+    const covariance& covariance
+)
+:
+    data_(data),
+    surface_(surface),
+    bounds_(bounds),
+    covariance_(covariance)
+{}
+
+
+// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
+
+Foam::misfit::weighed Foam::misfit::weighing::quickly
+(
+    const hypothesis& h,
+    const whitener& white
+) const
+{
+    weighed w;
+    w.what = h;
+    w.best = fit(hypothesisModel(surface_, bounds_, h), data_.y, white);
+    w.score =
+        w.best.objective + white.logDeterminant()
+      + h.size()*std::log(max(white.effectiveSize(), 8.0));
+    return w;
+}
+
+
+Foam::misfit::weighed
+Foam::misfit::weighing::thoroughly(const weighed& quick) const
+{
+    weighed w(quick);
+    for (label pass = 0; pass < 2; ++pass)
+    {
+        const mat c = covariance_.at(w.best.f);
+        w = quickly(quick.what, whitener(c));
+        w.covariance = c;
+    }
+    return w;
+}
+
+
+Foam::List<Foam::misfit::weighed> Foam::misfit::weighing::all
+(
+    const List<label>& mechanisms,
+    const List<sensorFault>& faults,
+    const bool pairs
+) const
+{
+    // The base with its own covariance, which the others start from
+    const vec atMean = surface_(bounds_.mean);
+    const weighed base
+    (
+        thoroughly(quickly(hypothesis(), whitener(covariance_.at(atMean))))
+    );
+    const whitener white(base.covariance);
+
+    List<weighed> list;
+    list.append(quickly(hypothesis(), white));
+    forAll(mechanisms, i)
+    {
+        hypothesis h;
+        h.mechanisms = {mechanisms[i]};
+        list.append(quickly(h, white));
+        for (label j = i + 1; pairs && j < mechanisms.size(); ++j)
+        {
+            h.mechanisms = {mechanisms[i], mechanisms[j]};
+            list.append(quickly(h, white));
+        }
+    }
+    for (const sensorFault& f : faults)
+    {
+        hypothesis h;
+        h.fault = std::make_shared<const sensorFault>(f);
+        list.append(quickly(h, white));
+    }
+    list.append(weighUnknown(base));
+    addNumbers(list);
+    sortByScore(list);
+
+    // The best, and the base, with their own covariance
+    const scalar limit = list.first().score + 30;
+    label thorough = 0;
+    for (weighed& w : list)
+    {
+        if (w.what.unknown)
+        {
+            continue;
+        }
+        if ((w.score < limit && thorough++ < 12) || w.what.isNone())
+        {
+            const scalar number = w.score - quickly(w.what, white).score;
+            w = thoroughly(w);
+            w.score += number;
+        }
+        else
+        {
+            w.covariance = base.covariance;
+        }
+    }
+    sortByScore(list);
+    return list;
+}
+
+
+void Foam::misfit::setProbabilities
+(
+    List<weighed>& list,
+    const scalar temperature
+)
+{
+    scalar least = GREAT;
+    for (const weighed& w : list)
+    {
+        least = min(least, w.score);
+    }
+    scalar sum = 0;
+    for (weighed& w : list)
+    {
+        w.probability =
+            std::exp(-min(0.5*(w.score - least)/temperature, 700.0));
+        sum += w.probability;
+    }
+    for (weighed& w : list)
+    {
+        w.probability /= sum;
+    }
+}
