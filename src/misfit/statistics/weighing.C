@@ -49,6 +49,27 @@ void sortByScore(List<weighed>& list)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::misfit::mat
+Foam::misfit::weighing::otherFormula(const weighed& w) const
+{
+    mat c = mat::Zero(data_.size(), data_.size());
+    const hypothesisModel model(surface_, bounds_, w.what);
+    const vec all = model.expand(w.best.x);
+    for (const label m : w.what.mechanisms)
+    {
+        vec without = all;
+        without[bounds_.nParameters + m] = 0;
+        const vec effect = tolerance_*(surface_(all) - surface_(without));
+        for (const segment& s : data_.segments)
+        {
+            const vec part = s.of(effect);
+            c.block(s.first, s.first, s.size, s.size) += part*part.transpose();
+        }
+    }
+    return c;
+}
+
+
 Foam::misfit::mat Foam::misfit::weighing::unknownShape
 (
     const scalar amplitude,
@@ -110,13 +131,15 @@ Foam::misfit::weighing::weighing
     const stacked& data,
     const responseSurface& surface,
     const variableBounds& bounds,
-    const covariance& covariance
+    const covariance& covariance,
+    const scalar tolerance
 )
 :
     data_(data),
     surface_(surface),
     bounds_(bounds),
-    covariance_(covariance)
+    covariance_(covariance),
+    tolerance_(tolerance)
 {}
 
 
@@ -144,7 +167,7 @@ Foam::misfit::weighing::thoroughly(const weighed& quick) const
     weighed w(quick);
     for (label pass = 0; pass < 2; ++pass)
     {
-        const mat c = covariance_.at(w.best.f);
+        const mat c = covariance_.at(w.best.f) + otherFormula(w);
         w = quickly(quick.what, whitener(c));
         w.covariance = c;
     }
@@ -190,7 +213,7 @@ Foam::List<Foam::misfit::weighed> Foam::misfit::weighing::all
     addNumbers(list);
     sortByScore(list);
 
-    // The best, and the base, with their own covariance
+    // The best, the base and each mechanism alone, with their own covariance
     const scalar limit = list.first().score + 30;
     label thorough = 0;
     for (weighed& w : list)
@@ -199,7 +222,8 @@ Foam::List<Foam::misfit::weighed> Foam::misfit::weighing::all
         {
             continue;
         }
-        if ((w.score < limit && thorough++ < 12) || w.what.isNone())
+        const bool single = w.what.mechanisms.size() == 1;
+        if ((w.score < limit && thorough++ < 12) || single || w.what.isNone())
         {
             const scalar number = w.score - quickly(w.what, white).score;
             w = thoroughly(w);
