@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # A run beside the printed tables of Martin & Moyce (1952).
 #
-#   awk -v what=front|height -v column=.. -f martinMoyce.awk TABLE SERIES
+#   awk -v what=front|height -v column=.. [-v clock=0] \
+#       -f martinMoyce.awk TABLE SERIES
 #
-# Tells a line for each row of TABLE: its time and value as printed, the value
+# Tells a line for each row of TABLE: its time less "clock", its value, the value
 # computed at that time, and by how much time the computed value is earlier at
 # the same place. All as in TABLE: lengths over a (height over 2a), time over
 # sqrt(a/2g) for the front and sqrt(a/g) for the height.
@@ -18,7 +19,7 @@ BEGIN {
 
 !/^ *[-+0-9.]/ { next }
 
-FNR == NR { T[++n] = $1; Z[n] = $2; next }
+FNR == NR { T[++n] = $1 - clock; Z[n] = $2; next }
 
 { t[++m] = $1/unitTime; z[m] = $column/unitLength }
 
