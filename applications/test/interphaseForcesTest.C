@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All forces together on made-up grains: coarse graining, viscous force.
+
+#include "interphaseForces.H"
+#include "standingGrains.H"
+#include "testMesh.H"
+#include "testNumber.H"
+
+#include "IStringStream.H"
+#include "fvc.H"
+#include "mathematicalConstants.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+
+namespace
+{
+
+constexpr scalar rhoWater = 1000;
+constexpr scalar muWater = 1e-3;
+
+//- Time between two exchanges [s]
+constexpr scalar interval = 1e-3;
+
+const vector g(0, 0, -9.81);
+
+
+dictionary entries(const string& text)
+{
+    return dictionary(IStringStream(text)());
+}
+
+
+scalar volumeOf(const scalar d)
+{
+    return constant::mathematical::pi/6*pow3(d);
+}
+
+
+//- Grains of diameter d, all of which move and spin alike
+void put(standingGrains& phase, const pointField& places, const scalar d)
+{
+    phase.grains = grainSnapshot(places.size());
+    phase.grains.id = identity(places.size());
+    phase.grains.position = places;
+    phase.grains.mass = 2650*volumeOf(d);
+    phase.grains.U = vector(0.05, 0.1, 0);
+    phase.grains.omega = vector(0, 3, 0);
+    phase.radii = scalarField(places.size(), 0.5*d);
+}
+
+
+//- Water that streams and turns
+fluidFields water(const label n)
+{
+    return fluidFields
+    {
+        scalarField(n, rhoWater),
+        scalarField(n, muWater),
+        scalarField(n, 0.7),
+        vectorField(n, vector(0.4, 0, 0)),
+        vectorField(n, vector(0, 0, 5)),
+        vectorField(n, vector(0.2, 0.1, 0)),
+        vectorField(n, vector(30, 0, -7))
+    };
+}
+
+
+//- What grains in one cell of water get, in sum
+struct whole
+{
+    vector force;
+
+    vector angularAcceleration;
+
+    scalar solidFraction;
+
+    scalar dragCoefficient;
+
+    scalar virtualMassCoefficient;
+
+    vector explicitForce;
+
+    scalar residual;
+};
+
+
+//- n grains of diameter d at one place, computed with coarse graining N
+whole inOneCell
+(
+    const label n,
+    const scalar d,
+    const scalar N,
+    const string& laws
+)
+{
+    testMesh box;
+    const fvMesh& mesh = box.mesh();
+    standingGrains phase(mesh);
+    put(phase, pointField(n, point(0.4, 0.4, 0.4)), d);
+
+    grainExchange exchange(mesh);
+    exchange.locate(phase);
+    porosity pores
+    (
+        exchange, entries("model centre; smoothing { model none; }")
+    );
+    pores.update();
+
+    interphaseForces forces(exchange, pores, entries(laws), g, N, true);
+    const fluidFields fluid(water(mesh.nCells()));
+    forces.prepare(fluid, interval);
+    forces.finish
+    (
+        fluidMeans
+        {
+            fluid.U,
+            vectorField(mesh.nCells(), vector(0, 2, 1)),
+            vectorField(mesh.nCells(), vector(100, 0, -9810)),
+            fluid.viscousForce
+        }
+    );
+
+    const label cell = exchange.grains()[0].cell;
+    const scalar inertia = 0.1*phase.grains.mass[0]*sqr(d);
+
+    return whole
+    {
+        sum(forces.force()),
+        forces.torque()[0]/inertia,
+        pores.solidFraction()[cell],
+        forces.dragCoefficient()[cell],
+        forces.virtualMassCoefficient()[cell],
+        forces.explicitForce()[cell],
+        forces.residual()
+    };
+}
+
+
+void expectAlike(const whole& a, const whole& b, const std::string& what)
+{
+    const auto near = [&](const auto& x, const auto& y)
+    {
+        EXPECT_LT(mag(x - y), 1e-12*mag(y)) << what;
+        EXPECT_GT(mag(y), 0) << what;
+    };
+
+    near(a.force, b.force);
+    near(a.angularAcceleration, b.angularAcceleration);
+    near(a.solidFraction, b.solidFraction);
+    near(a.dragCoefficient, b.dragCoefficient);
+    near(a.virtualMassCoefficient, b.virtualMassCoefficient);
+    near(a.explicitForce, b.explicitForce);
+    EXPECT_LT(a.residual, 1e-12) << what;
+    EXPECT_LT(b.residual, 1e-12) << what;
+}
+
+
+string laws(const word& drag)
+{
+    return
+        "drag { model " + drag + "; } lift { model SaffmanMei; }"
+        " virtualMass { model Zuber; } viscousForce { strength 1; }";
+}
+
+
+//- Force of the viscous stress on grains where U = a (z^2, 0, 0), nothing else
+//  acting; strength is that in the dictionary
+vectorField viscousForces
+(
+    testMesh& box,
+    const pointField& places,
+    const scalar d,
+    const scalar a,
+    const word& strength
+)
+{
+    const fvMesh& mesh = box.mesh();
+    volVectorField U
+    (
+        IOobject("U", "0", mesh),
+        mesh,
+        dimensionedVector(dimVelocity, Zero),
+        "fixedValue"
+    );
+    U.primitiveFieldRef() = a*sqr(mesh.C().component(vector::Z)().primitiveField())
+       *vector(1, 0, 0);
+    for (fvPatchVectorField& patch : U.boundaryFieldRef())
+    {
+        patch == a*sqr(patch.patch().Cf().component(vector::Z))*vector(1, 0, 0);
+    }
+
+    const dimensionedScalar mu("mu", dimDynamicViscosity, muWater);
+    const volVectorField stress
+    (
+        fvc::laplacian(mu, U)
+      + fvc::div
+        (
+            mesh.Sf()
+          & fvc::interpolate(mu*dev2(T(fvc::grad(U))))
+        )
+    );
+
+    standingGrains phase(mesh);
+    put(phase, places, d);
+    grainExchange exchange(mesh);
+    exchange.locate(phase);
+    porosity pores
+    (
+        exchange, entries("model caps; smoothing { model none; }")
+    );
+    pores.update();
+
+    interphaseForces forces
+    (
+        exchange,
+        pores,
+        entries
+        (
+            "drag { model none; } pressureGradient { strength 0; }"
+            " rotationalDrag { model none; }"
+            " viscousForce { strength " + strength + "; }"
+        ),
+        Zero,
+        1,
+        true
+    );
+
+    fluidFields fluid(water(mesh.nCells()));
+    fluid.viscousForce = stress.primitiveField();
+    forces.prepare(fluid, interval);
+
+    const vectorField none(mesh.nCells(), Zero);
+    forces.finish(fluidMeans{none, none, none, fluid.viscousForce});
+
+    return forces.force();
+}
+
+} // End anonymous namespace
+
+
+TEST(coarseGraining, aParcelGetsWhatTheGrainsGetThatItStandsFor)
+{
+    constexpr scalar d = 0.004;
+
+    for (const word drag :
+        {"DiFelice", "Gidaspow", "Ergun", "KochHill", "Beetstra",
+         "SchillerNaumann"})
+    {
+        for (const label N : {2, 3})
+        {
+            expectAlike
+            (
+                inOneCell(1, N*d, N, laws(drag)),
+                inOneCell(N*N*N, d, 1, laws(drag)),
+                drag
+            );
+        }
+    }
+}
+
+
+TEST(coarseGraining, withoutItAParcelIsOneLargeGrain)
+{
+    const whole parcel(inOneCell(1, 0.008, 1, laws("DiFelice")));
+    const whole grains(inOneCell(8, 0.004, 1, laws("DiFelice")));
+
+    EXPECT_NEAR(parcel.solidFraction, grains.solidFraction, 1e-15);
+    EXPECT_LT(parcel.dragCoefficient, 0.6*grains.dragCoefficient);
+}
+
+
+TEST(viscousForce, isVolumeTimesTheDivergenceOfTheStress)
+{
+    constexpr scalar d = 0.05;
+    constexpr scalar a = 30;
+    testBox cells;
+    cells.cells = labelVector(4, 4, 8);
+    testMesh box(cells);
+
+    // In one cell, over the face of two, over the corner of eight
+    const pointField places({{0.4, 0.4, 0.4}, {0.5, 0.4, 0.6}, {0.5, 0.5, 0.5}});
+
+    // mu d2u/dz2 = 2 mu a
+    const vector exact(volumeOf(d)*2*muWater*a, 0, 0);
+
+    for (const vector& force : viscousForces(box, places, d, a, "1"))
+    {
+        testNumber("relative error", mag(force - exact)/mag(exact));
+        EXPECT_LT(mag(force - exact), 1e-10*mag(exact));
+    }
+    for (const vector& force : viscousForces(box, places, d, a, "0.25"))
+    {
+        EXPECT_LT(mag(force - 0.25*exact), 1e-10*mag(exact));
+    }
+    for (const vector& force : viscousForces(box, places, d, a, "0"))
+    {
+        EXPECT_EQ(force, vector(Zero));
+    }
+}
