@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The numbers that a diagnosis decides by.
+
+#include "settings.H"
+#include "FlatOutput.H"
+#include "keywords.H"
+
+Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
+{
+    keywords::check
+    (
+        dict,
+        {
+            "FoamFile", "commands", "files", "ranks", "jobs", "timeLimit",
+            "experiments", "channels", "heldOut", "samples", "parameters",
+            "candidates", "packing", "packings", "common", "resolution",
+            "bank", "trigger", "faults", "decision", "draws", "seed"
+        }
+    );
+
+    settings s;
+    s.parameters = readParameters(keywords::sub(dict, "parameters"));
+    s.candidates = readCandidates(keywords::sub(dict, "candidates"));
+    s.packings =
+        dict.found("packing") ? dict.getOrDefault<label>("packings", 20) : 1;
+    s.common = min(dict.getOrDefault<label>("common", 3), s.packings);
+    s.hasMesh = keywords::sub(dict, "resolution").found("mesh");
+    s.hasStep = keywords::sub(dict, "resolution").found("step");
+    s.bank = dict.getOrDefault<label>("bank", s.bank);
+    s.trigger = dict.getOrDefault<scalar>("trigger", s.trigger);
+    s.draws = dict.getOrDefault<label>("draws", s.draws);
+    s.seed = dict.getOrDefault<label>("seed", s.seed);
+
+    const wordList faults
+    (
+        dict.getOrDefault("faults", sensorFault::names.names())
+    );
+    for (const word& name : faults)
+    {
+        if (!sensorFault::names.found(name))
+        {
+            FatalIOErrorInFunction(dict)
+                << "The fault " << name << " is not known. Valid faults: "
+                << flatOutput(sensorFault::names.names())
+                << exit(FatalIOError);
+        }
+        s.faults.append(sensorFault::names[name]);
+    }
+
+    const dictionary decision
+    (
+        keywords::sub
+        (
+            dict,
+            "decision",
+            wordList
+            ({
+                "significance", "adequacy", "evidence", "gap",
+                "formulaTolerance", "refit", "pairs", "temperature"
+            })
+        )
+    );
+    decision.readIfPresent("significance", s.significance);
+    decision.readIfPresent("adequacy", s.adequacy);
+    decision.readIfPresent("evidence", s.evidence);
+    decision.readIfPresent("gap", s.gap);
+    decision.readIfPresent("formulaTolerance", s.formulaTolerance);
+    decision.readIfPresent("refit", s.refit);
+    decision.readIfPresent("pairs", s.pairs);
+    decision.readIfPresent("temperature", s.temperature);
+
+    if (s.packings < 1 || s.common < 1 || s.draws < 100 || s.temperature <= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "packings and common must be 1 or more, draws 100 or more, the"
+            << " temperature above zero" << exit(FatalIOError);
+    }
+    return s;
+}
