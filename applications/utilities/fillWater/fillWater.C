@@ -5,6 +5,7 @@
 #include "argList.H"
 #include "fvCFD.H"
 #include "granularPhase.H"
+#include "keywords.H"
 #include "porosity.H"
 
 using namespace Foam;
@@ -103,6 +104,12 @@ int main(int argc, char *argv[])
     #include "readGravitationalAcceleration.H"
 
     const dictionary settings(caseDictionary(mesh, "system", "fillWaterDict"));
+    keywords::check
+    (
+        settings,
+        {"FoamFile", "packing", "min", "max", "fluidMass", "density", "field"}
+    );
+
     const dictionary packing
     (
         settings.found("packing")
