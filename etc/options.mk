@@ -8,7 +8,7 @@
 # foam  folders below OpenFOAM's src: their headers, as system headers so that
 #       warnings in them do not count
 # ours  folders below our src
-# MPI_INC MPI_LIBS GRAINS_INC GRAINS_LIBS   where MPI or LIGGGHTS is called
+# MPI_INC MPI_LIBS GRAINS_INC GRAINS_LIBS EIGEN_INC   where these are called
 #
 # Make/options goes through cpp, where `linux` is a macro: paths that may hold
 # it (MPI's) are asked for here. This file does not go through cpp.
@@ -33,6 +33,9 @@ MPI_INC := -DOMPI_SKIP_MPICXX \
 MPI_LIBS := $(shell mpicxx --showme:link)
 GRAINS_INC = -isystem /usr/include/liggghts
 GRAINS_LIBS = -lliggghts
+
+# GCC 12 takes its own AVX-512 header for a cause of uninitialised numbers
+EIGEN_INC = -isystem /usr/include/eigen3 -Wno-maybe-uninitialized
 
 # OpenFOAM's headers do not change: only ours are looked at for dependencies
 WMKDEP_FLAGS += -q

@@ -73,6 +73,7 @@ int main(int argc, char *argv[])
     scalar wanted = runTime.deltaTValue();
 
     Info<< "\nStarting time loop\n" << endl;
+    grains.times().begin();
 
     while (runTime.run())
     {

@@ -40,17 +40,27 @@ Foam::cellBins::cellBins(const polyMesh& mesh, const meshWalker& walker)
         return;
     }
 
-    const scalar size =
-        cbrt((box_.volume() + VSMALL)/scalar(mesh.nCells()));
+    const List<boundBox> bounds(cellBounds(mesh));
+
+    vector size(Zero);
+    for (const boundBox& cell : bounds)
+    {
+        size += cell.span()/mesh.nCells();
+    }
+
+    // Where most cells are small ones: no more than two bins for a cell
+    const scalar nBins = box_.volume()/(cmptProduct(size) + VSMALL);
+    size *= cbrt(max(nBins/(2*mesh.nCells()), scalar(1)));
 
     for (direction k = 0; k < 3; ++k)
     {
         const scalar span = max(box_.span()[k], SMALL);
-        n_[k] = min(max(label(std::round(span/size)), 1), 1000);
+        const scalar n = std::round(span/max(size[k], SMALL));
+
+        n_[k] = label(min(max(n, scalar(1)), scalar(1000)));
         perLength_[k] = n_[k]/span;
     }
 
-    const List<boundBox> bounds(cellBounds(mesh));
     labelList count(n_.x()*n_.y()*n_.z(), Zero);
 
     // Twice over the cells: first how many there are in each bin, then which

@@ -205,9 +205,11 @@ void Foam::grainExchange::locate(const granularPhase& phase)
     DynamicList<label> ownCells(phase.size());
     DynamicList<label> strangers;
 
-    forAll(phase.position(), i)
+    const UList<point>& position = phase.position();
+
+    forAll(position, i)
     {
-        const label cell = bins_.find(images_.wrap(phase.position()[i]));
+        const label cell = bins_.find(images_.wrap(position[i]));
 
         if (cell >= 0)
         {

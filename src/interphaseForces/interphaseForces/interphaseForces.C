@@ -115,32 +115,179 @@ void Foam::interphaseForces::setTorque
 }
 
 
+Foam::Field<Foam::fluidAtGrain> Foam::interphaseForces::around
+(
+    const vectorField& U,
+    const vectorField& acceleration,
+    const vectorField& pressureGradient,
+    const vectorField& viscousForce
+) const
+{
+    Field<fluidAtGrain> cells(U.size(), fluidAtGrain(Zero));
+
+    const auto set = [&](const fluidAtGrain::numbers at, const vectorField& v)
+    {
+        fluidAtGrain::set(cells, at, porosity_.smoothed(v));
+    };
+
+    set(fluidAtGrain::momentum, rho_*U);
+
+    if (pressureGradient.size())
+    {
+        set(fluidAtGrain::pressureGradient, pressureGradient);
+    }
+
+    if (active_.subDict("virtualMass").get<word>("model") != "none")
+    {
+        set(fluidAtGrain::acceleration, rho_*acceleration);
+    }
+
+    if (viscousForceStrength_ > 0)
+    {
+        set(fluidAtGrain::viscousForce, viscousForce);
+    }
+
+    return cells;
+}
+
+
+Foam::Field<Foam::fluidAtGrain> Foam::interphaseForces::gather
+(
+    const fluidFields& fluid
+) const
+{
+    Field<fluidAtGrain> cells
+    (
+        around
+        (
+            fluid.U,
+            fluid.convection,
+            vectorField(),
+            fluid.viscousForce
+        )
+    );
+
+    const vectorField vorticity
+    (
+        porosity_.smoothed(vectorField(rho_*fluid.vorticity))
+    );
+    const scalarField rhoAround(porosity_.smoothed(rho_));
+
+    forAll(cells, cell)
+    {
+        // Of the fluid around, for what is exchanged
+        cells[cell].set(fluidAtGrain::rhoAround, rhoAround[cell]);
+        cells[cell].set(fluidAtGrain::vorticity, vorticity[cell]);
+
+        // Of the fluid at hand, for the laws
+        cells[cell].set(fluidAtGrain::rho, fluid.rho[cell]);
+        cells[cell].set(fluidAtGrain::mu, fluid.mu[cell]);
+        cells[cell].set(fluidAtGrain::voidFraction, fluid.voidFraction[cell]);
+    }
+
+    return porosity_.local(cells);
+}
+
+
+Foam::vector Foam::interphaseForces::freeLoad
+(
+    const locatedGrain& grain,
+    const fluidAtGrain& fluid,
+    const scalar volume,
+    const vector& lift
+) const
+{
+    const vector weight(grain.mass*g_);
+    const vector buoyancy
+    (
+       -pressureGradientStrength_*volume
+       *fluid.number(fluidAtGrain::rhoAround)*g_
+    );
+    const vector viscous
+    (
+        viscousForceStrength_*volume
+       *fluid.vectorOf(fluidAtGrain::viscousForce)
+    );
+    const vector load(weight + grain.fluidForce);
+
+    return
+        weight + buoyancy + viscous + lift
+      - carried(grain.totalForce - load, load)*load;
+}
+
+
+void Foam::interphaseForces::setForce
+(
+    const label i,
+    const fluidAtGrain& fluid,
+    const scalar dSauter,
+    const scalar interval
+)
+{
+    const locatedGrain& grain = exchange_.grains()[i];
+    const scalar volume = porosity_.volumes()[i];
+    const scalar N3 = pow3(coarseGraining_);
+
+    rhoAround_[i] = fluid.number(fluidAtGrain::rhoAround);
+
+    const vector U(fluid.vectorOf(fluidAtGrain::momentum)/rhoAround_[i]);
+    const vector vorticity
+    (
+        fluid.vectorOf(fluidAtGrain::vorticity)/rhoAround_[i]
+    );
+    const vector convection
+    (
+        fluid.vectorOf(fluidAtGrain::acceleration)/rhoAround_[i]
+    );
+
+    const grainState state
+    {
+        2*grain.radius/coarseGraining_,
+        U - grain.velocity,
+        0.5*vorticity - grain.angularVelocity,
+        vorticity,
+        fluid.number(fluidAtGrain::rho),
+        fluid.number(fluidAtGrain::mu),
+        fluid.number(fluidAtGrain::voidFraction),
+        dSauter/coarseGraining_
+    };
+
+    const scalar K = N3*drag_->K(state);
+    const scalar C = virtualMass_->coefficient(state)*state.rho*volume;
+    const vector lift(N3*lift_->force(state));
+
+    // A grain that nothing moves has no velocity to eliminate
+    const scalar m = mobile_ ? grain.mass : GREAT;
+    const scalar M = mobile_ ? m/(m + C + K*interval) : 1;
+
+    drag0_[i] = M*K;
+    virtualMass0_[i] = M*C;
+    pressure0_[i] = (1 - M)*pressureGradientStrength_*volume;
+    explicit_[i] =
+        lift + virtualMass0_[i]*convection - drag0_[i]*grain.velocity
+      + (M - 1)*freeLoad(grain, fluid, volume, lift);
+
+    setTorque(i, state, interval);
+}
+
+
 void Foam::interphaseForces::prepare
 (
     const fluidFields& fluid,
     const scalar interval
 )
 {
-    const List<locatedGrain>& grains = exchange_.grains();
-    const label n = grains.size();
+    const label n = exchange_.grains().size();
 
     rho_ = fluid.rho;
+    rhoAround_.setSize(n);
+    drag0_.setSize(n);
+    virtualMass0_.setSize(n);
+    pressure0_.setSize(n);
+    explicit_.setSize(n);
+    torque_.setSize(n);
 
-    // Of the fluid at hand, for the laws
-    const scalarField rho(porosity_.local(fluid.rho));
-    const scalarField mu(porosity_.local(fluid.mu));
-    const scalarField voidFraction(porosity_.local(fluid.voidFraction));
-
-    // Of the fluid around, for what is exchanged
-    rhoAround_ = porosity_.gather(rho_);
-    const vectorField U
-    (
-        porosity_.gather(vectorField(rho_*fluid.U))/rhoAround_
-    );
-    const vectorField vorticity
-    (
-        porosity_.gather(vectorField(rho_*fluid.vorticity))/rhoAround_
-    );
+    const Field<fluidAtGrain> atGrains(gather(fluid));
     const scalarField dSauter
     (
         drag_->usesSauterDiameter()
@@ -148,80 +295,9 @@ void Foam::interphaseForces::prepare
       : scalarField(n, 1)
     );
 
-    vectorField convection(n, Zero);
-    if (active_.subDict("virtualMass").get<word>("model") != "none")
+    for (label i = 0; i < n; ++i)
     {
-        convection =
-            porosity_.gather(vectorField(rho_*fluid.convection))/rhoAround_;
-    }
-
-    vectorField viscousForce(n, Zero);
-    if (viscousForceStrength_ > 0)
-    {
-        viscousForce = viscousForceStrength_*porosity_.gather
-        (
-            fluid.viscousForce
-        );
-    }
-
-    drag0_.setSize(n);
-    virtualMass0_.setSize(n);
-    pressure0_.setSize(n);
-    explicit_.setSize(n);
-    volume_.setSize(n);
-    force_.setSize(n);
-    torque_.setSize(n);
-
-    const scalar N3 = pow3(coarseGraining_);
-
-    forAll(grains, i)
-    {
-        const locatedGrain& grain = grains[i];
-
-        const grainState state
-        {
-            2*grain.radius/coarseGraining_,
-            U[i] - grain.velocity,
-            0.5*vorticity[i] - grain.angularVelocity,
-            vorticity[i],
-            rho[i],
-            mu[i],
-            voidFraction[i],
-            dSauter[i]/coarseGraining_
-        };
-
-        volume_[i] = porosity::volume(grain);
-
-        const scalar K = N3*drag_->K(state);
-        const scalar C = virtualMass_->coefficient(state)*rho[i]*volume_[i];
-        const vector lift(N3*lift_->force(state));
-
-        const vector weight(grain.mass*g_);
-        const vector buoyancy
-        (
-            -pressureGradientStrength_*volume_[i]*rhoAround_[i]*g_
-        );
-        const vector viscous(volume_[i]*viscousForce[i]);
-
-        const vector load(weight + grain.fluidForce);
-        const vector free
-        (
-            weight + buoyancy + viscous + lift
-          - carried(grain.totalForce - load, load)*load
-        );
-
-        // A grain that nothing moves has no velocity to eliminate
-        const scalar m = mobile_ ? grain.mass : GREAT;
-        const scalar M = mobile_ ? m/(m + C + K*interval) : 1;
-
-        drag0_[i] = M*K;
-        virtualMass0_[i] = M*C;
-        pressure0_[i] = (1 - M)*pressureGradientStrength_*volume_[i];
-        explicit_[i] =
-            lift + virtualMass0_[i]*convection[i] - drag0_[i]*grain.velocity
-          + (M - 1)*free;
-
-        setTorque(i, state, interval);
+        setForce(i, atGrains[i], dSauter[i], interval);
     }
 
     spreadToCells();
@@ -250,51 +326,52 @@ void Foam::interphaseForces::start(const vectorField& pressureGradient)
     forAll(force_, i)
     {
         force_[i] =
-           -pressureGradientStrength_
-           *porosity::volume(exchange_.grains()[i])*gradient[i];
+           -pressureGradientStrength_*porosity_.volumes()[i]*gradient[i];
     }
-}
-
-
-Foam::vectorField Foam::interphaseForces::excess
-(
-    const vectorField& pressureGradient
-) const
-{
-    return pressureGradient - rho_*g_;
 }
 
 
 void Foam::interphaseForces::finish(const fluidMeans& means)
 {
-    const vectorField U
+    const Field<fluidAtGrain> atGrains
     (
-        porosity_.gather(vectorField(rho_*means.U))/rhoAround_
+        porosity_.local
+        (
+            around
+            (
+                means.U,
+                means.acceleration,
+                means.pressureGradient,
+                means.viscousForce
+            )
+        )
     );
-    const vectorField acceleration
-    (
-        porosity_.gather(vectorField(rho_*means.acceleration))/rhoAround_
-    );
+    const label n = atGrains.size();
 
-    const vectorField excessGradient
-    (
-        porosity_.gather(excess(means.pressureGradient))
-    );
-    const vectorField exchanged
-    (
-        drag0_*U + virtualMass0_*acceleration + pressure0_*excessGradient
-      + explicit_
-    );
+    vectorField exchanged(n);
+    force_.setSize(n);
 
-    force_ =
-        exchanged
-      - pressureGradientStrength_*volume_
-       *porosity_.gather(means.pressureGradient);
-
-    if (viscousForceStrength_ > 0)
+    for (label i = 0; i < n; ++i)
     {
-        force_ +=
-            viscousForceStrength_*volume_*porosity_.gather(means.viscousForce);
+        const fluidAtGrain& fluid = atGrains[i];
+        const vector gradient(fluid.vectorOf(fluidAtGrain::pressureGradient));
+
+        exchanged[i] =
+            (
+                drag0_[i]*fluid.vectorOf(fluidAtGrain::momentum)
+              + virtualMass0_[i]*fluid.vectorOf(fluidAtGrain::acceleration)
+            )/rhoAround_[i]
+          + pressure0_[i]*(gradient - rhoAround_[i]*g_)
+          + explicit_[i];
+
+        force_[i] =
+            exchanged[i]
+          + porosity_.volumes()[i]
+           *(
+                viscousForceStrength_
+               *fluid.vectorOf(fluidAtGrain::viscousForce)
+              - pressureGradientStrength_*gradient
+            );
     }
 
     sumUp(means, exchanged);
@@ -307,18 +384,23 @@ void Foam::interphaseForces::sumUp
     const vectorField& exchanged
 )
 {
-    const vectorField fluid
-    (
-        exchange_.mesh().V()
-       *(
-            dragCoefficient_*means.U
-          + virtualMassCoefficient_*means.acceleration
-          + pressureShare_*excess(means.pressureGradient)
-          + explicitForce_
-        )
-    );
+    const scalarField& volume = exchange_.mesh().V();
+    vector fluid(Zero);
+
+    forAll(volume, cell)
+    {
+        fluid +=
+            volume[cell]
+           *(
+                dragCoefficient_[cell]*means.U[cell]
+              + virtualMassCoefficient_[cell]*means.acceleration[cell]
+              + pressureShare_[cell]
+               *(means.pressureGradient[cell] - rho_[cell]*g_)
+              + explicitForce_[cell]
+            );
+    }
+    reduce(fluid, sumOp<vector>());
 
     residual_ =
-        mag(gSum(exchanged) - gSum(fluid))
-       /(gSum(mag(exchanged)) + VSMALL);
+        mag(gSum(exchanged) - fluid)/(gSum(mag(exchanged)) + VSMALL);
 }

@@ -32,21 +32,21 @@ Foam::porosity::porosity(const grainExchange& exchange, const dictionary& dict)
 }
 
 
-Foam::scalar Foam::porosity::volume(const locatedGrain& grain)
-{
-    return 4*constant::mathematical::pi/3*pow3(grain.radius);
-}
-
-
 void Foam::porosity::measure()
 {
+    const List<locatedGrain>& grains = exchange_.grains();
+
+    volumes_.setSize(grains.size());
     totalVolume_ = 0;
     scalar diameterSum = 0;
 
-    for (const locatedGrain& grain : exchange_.grains())
+    forAll(grains, i)
     {
-        totalVolume_ += volume(grain);
-        diameterSum += volume(grain)*2*grain.radius;
+        const scalar radius = grains[i].radius;
+
+        volumes_[i] = 4*constant::mathematical::pi/3*pow3(radius);
+        totalVolume_ += volumes_[i];
+        diameterSum += volumes_[i]*2*radius;
     }
 
     reduce(totalVolume_, sumOp<scalar>());
@@ -60,19 +60,15 @@ void Foam::porosity::update()
     measure();
     weights_.clear();
 
-    const List<locatedGrain>& grains = exchange_.grains();
-    scalarField volumes(grains.size());
-
-    forAll(grains, i)
+    for (const locatedGrain& grain : exchange_.grains())
     {
-        volumes[i] = volume(grains[i]);
-        model_->addShares(grains[i], exchange_.walker(), weights_);
+        model_->addShares(grain, exchange_.walker(), weights_);
         weights_.endGrain();
     }
 
     weights_.finish();
 
-    solidFraction_ = spread(volumes);
+    solidFraction_ = spread(volumes_);
     spreadExcess();
 }
 
@@ -151,14 +147,12 @@ void Foam::porosity::spreadExcess()
 Foam::scalarField Foam::porosity::sauterDiameter() const
 {
     const List<locatedGrain>& grains = exchange_.grains();
-    scalarField volumes(grains.size());
     scalarField areas(grains.size());
 
     forAll(grains, i)
     {
-        volumes[i] = volume(grains[i]);
-        areas[i] = volumes[i]/(2*grains[i].radius);
+        areas[i] = volumes_[i]/(2*grains[i].radius);
     }
 
-    return gather(spread(volumes))/gather(spread(areas));
+    return gather(spread(volumes_))/gather(spread(areas));
 }

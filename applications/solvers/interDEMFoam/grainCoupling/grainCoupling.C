@@ -211,12 +211,7 @@ void Foam::grainCoupling::giveForces(const vectorField& U)
 
 void Foam::grainCoupling::report() const
 {
-    scalar volume = 0;
-    for (const locatedGrain& grain : exchange_->grains())
-    {
-        volume += porosity::volume(grain);
-    }
-    reduce(volume, sumOp<scalar>());
+    const scalar volume = porosity_->totalVolume();
 
     Info<< "Grains: " << phase_->nTotal() << " = "
         << returnReduce(exchange_->grains().size(), sumOp<label>())
