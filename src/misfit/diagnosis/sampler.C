@@ -2,6 +2,7 @@
 // What was recorded and what a state gives for it, as samples.
 
 #include "sampler.H"
+#include "FlatOutput.H"
 
 namespace
 {
@@ -39,6 +40,70 @@ segment describe(const channel& c, const label first)
         s.readings[i] = n[i];
     }
     return s;
+}
+
+
+//- Channels of an experiment that were not recorded, at 40 times of those that
+//  were
+stacked possible(const recordings& all, const word& experiment)
+{
+    stacked data;
+    scalar first = GREAT;
+    scalar last = -GREAT;
+    for (const channel& c : all.channels())
+    {
+        if (c.isRecorded() && c.overTime() && c.experiment() == experiment)
+        {
+            first = min(first, c.centre().first());
+            last = max(last, c.centre().last());
+        }
+    }
+    label n = 0;
+    for (const channel& c : all.channels())
+    {
+        const bool wanted =
+            !c.isRecorded() && c.overTime() && c.experiment() == experiment;
+        if (wanted && last > first)
+        {
+            segment s(describe(c, n));
+            s.size = 40;
+            s.x = vec::LinSpaced(s.size, first, last);
+            data.segments.append(s);
+            n += s.size;
+        }
+    }
+    data.y = vec::Zero(n);
+    return data;
+}
+
+
+//- What a prediction gives for them
+vec possibleStack
+(
+    const recordings& all,
+    const List<observed>& observations,
+    const word& experiment,
+    const prediction& p
+)
+{
+    scalarList values;
+    for (const observed& o : observations)
+    {
+        for (const segment& s : o.possible.segments)
+        {
+            forAll(all.channels(), i)
+            {
+                const bool here =
+                    o.experiment == experiment
+                 && all.channels()[i].name() == s.name;
+                for (label k = 0; here && k < s.size; ++k)
+                {
+                    values.append(p.channels[i](s.x[k]));
+                }
+            }
+        }
+    }
+    return toVec(values);
 }
 
 } // End anonymous namespace
@@ -83,6 +148,40 @@ Foam::misfit::vec Foam::misfit::stack
 }
 
 
+namespace
+{
+
+void addTo(vec& sum, const vec& v)
+{
+    sum = sum.size() ? vec(sum + v) : v;
+}
+
+} // End anonymous namespace
+
+
+void Foam::misfit::samples::add(const samples& other)
+{
+    if (!other.ok())
+    {
+        failure = other.failure;
+        return;
+    }
+    addTo(fit, other.fit);
+    addTo(gate, other.gate);
+    addTo(score, other.score);
+    addTo(possible, other.possible);
+}
+
+
+void Foam::misfit::samples::divide(const scalar n)
+{
+    fit /= n;
+    gate /= n;
+    score /= n;
+    possible /= n;
+}
+
+
 Foam::misfit::predictedSampler::predictedSampler
 (
     const recordings& all,
@@ -103,8 +202,16 @@ Foam::misfit::predictedSampler::predictedSampler
             all.use(e),
             stack(all, channels(e, purpose::fit)),
             stack(all, channels(e, purpose::gate)),
-            stack(all, channels(e, purpose::score))
+            stack(all, channels(e, purpose::score)),
+            possible(all, e)
         });
+    }
+    if (all.experiments(purpose::fit).size() > 1)
+    {
+        FatalErrorInFunction
+            << "The experiments " << flatOutput(all.experiments(purpose::fit))
+            << " are all to be fitted. One is fitted: give the others  use gate;"
+            << " or  use score;" << exit(FatalError);
     }
 }
 
@@ -134,6 +241,7 @@ Foam::misfit::predictedSampler::operator()(const List<runState>& states)
             all[i].fit = stack(recordings_, channels(e, purpose::fit), p);
             all[i].gate = stack(recordings_, channels(e, purpose::gate), p);
             all[i].score = stack(recordings_, channels(e, purpose::score), p);
+            all[i].possible = possibleStack(recordings_, data_, e, p);
         }
     }
     return all;

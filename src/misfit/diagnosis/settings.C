@@ -24,8 +24,7 @@ Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
     s.packings =
         dict.found("packing") ? dict.getOrDefault<label>("packings", 20) : 1;
     s.common = min(dict.getOrDefault<label>("common", 3), s.packings);
-    s.hasMesh = keywords::sub(dict, "resolution").found("mesh");
-    s.hasStep = keywords::sub(dict, "resolution").found("step");
+    s.resolutions = keywords::sub(dict, "resolution").sortedToc();
     s.bank = dict.getOrDefault<label>("bank", s.bank);
     s.trigger = dict.getOrDefault<scalar>("trigger", s.trigger);
     s.draws = dict.getOrDefault<label>("draws", s.draws);
@@ -56,7 +55,7 @@ Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
             wordList
             ({
                 "significance", "adequacy", "evidence", "gap",
-                "formulaTolerance", "refit", "pairs", "temperature"
+                "formulaTolerance", "refit", "pairs", "temperature", "ceiling"
             })
         )
     );
@@ -68,6 +67,7 @@ Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
     decision.readIfPresent("refit", s.refit);
     decision.readIfPresent("pairs", s.pairs);
     decision.readIfPresent("temperature", s.temperature);
+    decision.readIfPresent("ceiling", s.ceiling);
 
     if (s.packings < 1 || s.common < 1 || s.draws < 100 || s.temperature <= 0)
     {

@@ -29,7 +29,8 @@ void addNumbers(List<weighed>& list)
     }
     for (weighed& w : list)
     {
-        w.score += 2*std::log(scalar(number[sortOf(w.what)]));
+        w.number = 2*std::log(scalar(number[sortOf(w.what)]));
+        w.score += w.number;
     }
 }
 
@@ -161,16 +162,32 @@ Foam::misfit::weighed Foam::misfit::weighing::quickly
 }
 
 
+Foam::misfit::weighed Foam::misfit::weighing::base() const
+{
+    const vec atMean = surface_(bounds_.mean);
+    return thoroughly(quickly(hypothesis(), whitener(covariance_.at(atMean))));
+}
+
+
 Foam::misfit::weighed
 Foam::misfit::weighing::thoroughly(const weighed& quick) const
 {
     weighed w(quick);
-    for (label pass = 0; pass < 2; ++pass)
+    if (w.what.unknown)
     {
-        const mat c = covariance_.at(w.best.f) + otherFormula(w);
-        w = quickly(quick.what, whitener(c));
-        w.covariance = c;
+        w = weighUnknown(base());
     }
+    else
+    {
+        for (label pass = 0; pass < 2; ++pass)
+        {
+            const mat c = covariance_.at(w.best.f) + otherFormula(w);
+            w = quickly(quick.what, whitener(c));
+            w.covariance = c;
+        }
+    }
+    w.number = quick.number;
+    w.score += w.number;
     return w;
 }
 
@@ -182,13 +199,9 @@ Foam::List<Foam::misfit::weighed> Foam::misfit::weighing::all
     const bool pairs
 ) const
 {
-    // The base with its own covariance, which the others start from
-    const vec atMean = surface_(bounds_.mean);
-    const weighed base
-    (
-        thoroughly(quickly(hypothesis(), whitener(covariance_.at(atMean))))
-    );
-    const whitener white(base.covariance);
+    // The others start from the base with its own covariance
+    const weighed none(base());
+    const whitener white(none.covariance);
 
     List<weighed> list;
     list.append(quickly(hypothesis(), white));
@@ -209,7 +222,7 @@ Foam::List<Foam::misfit::weighed> Foam::misfit::weighing::all
         h.fault = std::make_shared<const sensorFault>(f);
         list.append(quickly(h, white));
     }
-    list.append(weighUnknown(base));
+    list.append(weighUnknown(none));
     addNumbers(list);
     sortByScore(list);
 
@@ -225,13 +238,11 @@ Foam::List<Foam::misfit::weighed> Foam::misfit::weighing::all
         const bool single = w.what.mechanisms.size() == 1;
         if ((w.score < limit && thorough++ < 12) || single || w.what.isNone())
         {
-            const scalar number = w.score - quickly(w.what, white).score;
             w = thoroughly(w);
-            w.score += number;
         }
         else
         {
-            w.covariance = base.covariance;
+            w.covariance = none.covariance;
         }
     }
     sortByScore(list);

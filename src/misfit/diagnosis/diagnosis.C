@@ -1,0 +1,476 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stages of a diagnosis: uncertainty, calibration, detection, signatures.
+
+#include "diagnosis.H"
+
+#include <random>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::misfit::diagnosis::setBounds()
+{
+    const label nP = settings_.parameters.size();
+    const label n = nP + settings_.candidates.size();
+    bounds_.nParameters = nP;
+    bounds_.mean = bounds_.deviation = vec::Zero(n);
+    bounds_.lower = bounds_.upper = width_ = vec::Zero(n);
+    for (label i = 0; i < nP; ++i)
+    {
+        const parameter& p = settings_.parameters[i];
+        bounds_.mean[i] = p.mean;
+        width_[i] = bounds_.deviation[i] = p.deviation;
+        bounds_.lower[i] = p.lower;
+        bounds_.upper[i] = p.upper;
+    }
+    forAll(settings_.candidates, i)
+    {
+        bounds_.upper[nP + i] = settings_.candidates[i].upper;
+        width_[nP + i] = settings_.candidates[i].strong;
+    }
+}
+
+
+Foam::wordList Foam::misfit::diagnosis::mechanismNames() const
+{
+    wordList names;
+    for (const candidate& c : settings_.candidates)
+    {
+        names.append(c.name);
+    }
+    return names;
+}
+
+
+Foam::misfit::runState Foam::misfit::diagnosis::state
+(
+    const vec& variables,
+    const label packing
+) const
+{
+    runState s;
+    s.experiment = data().experiment;
+    s.packing = packing;
+    forAll(settings_.parameters, i)
+    {
+        s.parameters.insert(settings_.parameters[i].name, variables[i]);
+    }
+    forAll(settings_.candidates, i)
+    {
+        const scalar strength = variables[bounds_.nParameters + i];
+        if (strength > 0)
+        {
+            s.strengths.insert(settings_.candidates[i].name, strength);
+        }
+    }
+    return s;
+}
+
+
+Foam::misfit::vec
+Foam::misfit::diagnosis::variables(const runState& s) const
+{
+    vec x = bounds_.mean;
+    forAll(settings_.parameters, i)
+    {
+        x[i] = s.parameters.lookup(settings_.parameters[i].name, x[i]);
+    }
+    forAll(settings_.candidates, i)
+    {
+        x[bounds_.nParameters + i] =
+            s.strengths.lookup(settings_.candidates[i].name, 0);
+    }
+    return x;
+}
+
+
+Foam::List<Foam::misfit::samples>
+Foam::misfit::diagnosis::ask(const List<runState>& states)
+{
+    found_.nRuns += states.size();
+    return sampler_(states);
+}
+
+
+Foam::List<Foam::misfit::samples>
+Foam::misfit::diagnosis::means(const List<vec>& variables)
+{
+    List<runState> states;
+    for (const vec& x : variables)
+    {
+        for (label packing = 0; packing < settings_.common; ++packing)
+        {
+            states.append(state(x, packing));
+        }
+    }
+    const List<samples> all(ask(states));
+
+    List<samples> mean(variables.size());
+    forAll(mean, i)
+    {
+        for (label packing = 0; packing < settings_.common; ++packing)
+        {
+            mean[i].add(all[i*settings_.common + packing]);
+        }
+        mean[i].divide(settings_.common);
+    }
+    return mean;
+}
+
+
+Foam::stringList
+Foam::misfit::diagnosis::addRuns(const List<vec>& variables)
+{
+    const List<samples> given(means(variables));
+    stringList failures(given.size());
+    forAll(given, i)
+    {
+        failures[i] = given[i].failure;
+        if (given[i].ok())
+        {
+            fit_->addRun(variables[i], given[i].fit);
+            gate_->addRun(variables[i], given[i].gate);
+        }
+    }
+    return failures;
+}
+
+
+void Foam::misfit::diagnosis::build()
+{
+    fit_->build(width_);
+    gate_->build(width_);
+}
+
+
+void Foam::misfit::diagnosis::uncertainty()
+{
+    Info<< "S0 uncertainty" << endl;
+    List<runState> states;
+    for (label packing = 0; packing < settings_.packings; ++packing)
+    {
+        states.append(state(bounds_.mean, packing));
+    }
+    for (const word& name : settings_.resolutions)
+    {
+        states.append(state(bounds_.mean));
+        states.last().resolution = name;
+    }
+    const List<samples> given(ask(states));
+
+    if (!given.first().ok())
+    {
+        FatalErrorInFunction
+            << "The base case did not run: " << given.first().failure.c_str()
+            << nl << "Mend the case first; nothing was diagnosed"
+            << exit(FatalError);
+    }
+
+    mat fit(fit_->size(), 0);
+    mat gate(gate_->size(), 0);
+    forAll(given, i)
+    {
+        if (!given[i].ok())
+        {
+            Info<< "    left out: " << given[i].failure.c_str() << endl;
+        }
+        else if (i < settings_.packings)
+        {
+            const label n = fit.cols();
+            fit.conservativeResize(Eigen::NoChange, n + 1);
+            gate.conservativeResize(Eigen::NoChange, n + 1);
+            fit.col(n) = given[i].fit;
+            gate.col(n) = given[i].gate;
+        }
+        else
+        {
+            fit_->addDifference(given[i].fit - given.first().fit);
+            gate_->addDifference(given[i].gate - given.first().gate);
+        }
+    }
+    fit_->addRepeats(fit, settings_.common);
+    gate_->addRepeats(gate, settings_.common);
+}
+
+
+Foam::List<Foam::misfit::vec>
+Foam::misfit::diagnosis::parameterDesign() const
+{
+    List<vec> design(1, bounds_.mean);
+    for (label i = 0; i < bounds_.nParameters; ++i)
+    {
+        for (const scalar side : {-1., 1.})
+        {
+            vec x = bounds_.mean;
+            x[i] += 1.5*side*bounds_.deviation[i];
+            x[i] = min(max(x[i], bounds_.lower[i]), bounds_.upper[i]);
+            if (x[i] != bounds_.mean[i])
+            {
+                design.append(x);
+            }
+        }
+    }
+    return design;
+}
+
+
+Foam::List<Foam::misfit::vec> Foam::misfit::diagnosis::bankDesign() const
+{
+    std::mt19937 generator(settings_.seed);
+    std::uniform_real_distribution<scalar> any;
+    const label nP = bounds_.nParameters;
+    const label nC = settings_.candidates.size();
+    List<vec> design(1, bounds_.mean);
+    while (design.size() < settings_.bank)
+    {
+        vec x = bounds_.mean;
+        for (label i = 0; i < nP; ++i)
+        {
+            x[i] += (4*any(generator) - 2)*bounds_.deviation[i];
+            x[i] = min(max(x[i], bounds_.lower[i]), bounds_.upper[i]);
+        }
+        for (label k = 0; nC && k < design.size() % 3; ++k)
+        {
+            const label c = min(label(nC*any(generator)), nC - 1);
+            x[nP + c] = any(generator)*bounds_.upper[nP + c];
+        }
+        design.append(x);
+    }
+    return design;
+}
+
+
+void Foam::misfit::diagnosis::calibrationRuns()
+{
+    Info<< "S1 calibration" << endl;
+    List<vec> design(settings_.bank ? bankDesign() : parameterDesign());
+    if (sampler_.bank().size())
+    {
+        design.clear();
+        for (const runState& s : sampler_.bank())
+        {
+            design.append(variables(s));
+        }
+    }
+    const stringList failures(addRuns(design));
+    forAll(design, i)
+    {
+        if (failures[i].size())
+        {
+            Info<< "    left out: " << told(state(design[i])).c_str() << ": "
+                << failures[i].c_str() << endl;
+        }
+    }
+    build();
+}
+
+
+void Foam::misfit::diagnosis::detect()
+{
+    const vec atMean = fit_->surface()(bounds_.mean);
+    const whitener white(fit_->uncertainty().at(atMean));
+    const scan raw(fit_->data(), white, settings_.draws, settings_.seed);
+    found_.raw = raw(fit_->data().y - atMean, settings_.significance);
+
+    const weighed base
+    (
+        fit_->weigh(settings_.formulaTolerance).base()
+    );
+    for (label i = 0; i < bounds_.nParameters; ++i)
+    {
+        const parameter& p = settings_.parameters[i];
+        found_.parameters.append
+        ({
+            p.name, p.mean, p.deviation, base.best.x[i],
+            base.best.deviation(i), base.best.pinned[i]
+        });
+    }
+
+    Info<< "S2 detection" << endl;
+    found_.detection = look(*fit_, base);
+    for (const window& w : found_.detection.windows)
+    {
+        if (found_.detection.p < settings_.significance)
+        {
+            found_.located.append
+            (
+                told(w, fit_->data(), fit_->data().y - base.best.f)
+            );
+        }
+    }
+    found_.data = fit_->data();
+    found_.sigma = base.covariance.diagonal().cwiseSqrt();
+    screen(base);
+    if (found_.detection.p < settings_.significance)
+    {
+        signatureRuns(base);
+    }
+}
+
+
+Foam::misfit::scanned Foam::misfit::diagnosis::look
+(
+    const sampledModel& m,
+    const weighed& w
+) const
+{
+    const hypothesisModel model(m.surface(), bounds_, w.what);
+    const mat slopes = model.slopes(w.best.x);
+    const vec deviation = model.deviation();
+    const vec fromMean = deviation.unaryExpr
+    (
+        [](const scalar d) { return d > 0 ? 1.0 : 0.0; }
+    ).cwiseProduct(w.best.x - model.mean());
+
+    const whitener white(withFitted(w.covariance, slopes, deviation));
+    const scan look(m.data(), white, settings_.draws, settings_.seed);
+    return look
+    (
+        m.data().y - w.best.f + slopes*fromMean,
+        settings_.significance
+    );
+}
+
+
+void Foam::misfit::diagnosis::signatureRuns(const weighed& base)
+{
+    if (settings_.bank || sampler_.bank().size())
+    {
+        return;
+    }
+    Info<< "S5 signatures" << endl;
+    vec at = bounds_.mean;
+    at.head(bounds_.nParameters) = base.best.x.head(bounds_.nParameters);
+    List<vec> design(1, at);
+    for (const label m : mechanisms_)
+    {
+        for (const scalar s :
+            {settings_.candidates[m].weak, settings_.candidates[m].strong})
+        {
+            design.append(at);
+            design.last()[bounds_.nParameters + m] = s;
+        }
+    }
+
+    const stringList failures(addRuns(design));
+    labelList left;
+    forAll(mechanisms_, i)
+    {
+        const string& weak = failures[1 + 2*i];
+        const string& strong = failures[2 + 2*i];
+        if (weak.empty() || strong.empty())
+        {
+            left.append(mechanisms_[i]);
+        }
+        else
+        {
+            found_.dropped.append
+            (
+                Tuple2<word, string>
+                (
+                    settings_.candidates[mechanisms_[i]].name,
+                    "the solver failed with it: " + weak
+                )
+            );
+        }
+    }
+    mechanisms_ = left;
+    build();
+}
+
+
+void Foam::misfit::diagnosis::explain()
+{
+    Info<< "S3 sensors, S5 mechanisms" << endl;
+    if (found_.detection.p >= settings_.significance)
+    {
+        mechanisms_.clear();
+    }
+    found_.explanations = fit_->weigh(settings_.formulaTolerance).all
+    (
+        mechanisms_,
+        possibleFaults(fit_->data(), settings_.faults),
+        settings_.pairs
+    );
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::misfit::diagnosis::diagnosis(sampler& s, const settings& set)
+:
+    sampler_(s),
+    settings_(set)
+{
+    setBounds();
+    fit_.reset(new sampledModel(data().fit, bounds_, set.trigger));
+    gate_.reset(new sampledModel(data().gate, bounds_, set.trigger));
+}
+
+
+// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
+
+const Foam::misfit::finding& Foam::misfit::diagnosis::operator()()
+{
+    uncertainty();
+    calibrationRuns();
+    detect();
+    explain();
+    refit();
+    compare(baseline());
+    Info<< "S7 gates" << endl;
+    askGates();
+    Info<< "S9 verdict" << endl;
+    decide();
+    return found_;
+}
+
+
+Foam::List<Foam::Tuple2<Foam::string, Foam::List<Foam::misfit::runState>>>
+Foam::misfit::diagnosis::plan() const
+{
+    List<Tuple2<string, List<runState>>> stages;
+    const auto add = [&](const string& what, const List<vec>& design)
+    {
+        List<runState> states;
+        for (const vec& x : design)
+        {
+            for (label packing = 0; packing < settings_.common; ++packing)
+            {
+                states.append(state(x, packing));
+            }
+        }
+        stages.append(Tuple2<string, List<runState>>(what, states));
+    };
+
+    List<runState> first;
+    for (label packing = 0; packing < settings_.packings; ++packing)
+    {
+        first.append(state(bounds_.mean, packing));
+    }
+    for (const word& name : settings_.resolutions)
+    {
+        first.append(state(bounds_.mean));
+        first.last().resolution = name;
+    }
+    stages.append(Tuple2<string, List<runState>>("S0 uncertainty", first));
+
+    if (settings_.bank)
+    {
+        add("S1 and S5, a bank of random runs", bankDesign());
+        return stages;
+    }
+    add("S1 calibration", parameterDesign());
+
+    List<vec> design;
+    forAll(settings_.candidates, i)
+    {
+        for (const scalar s :
+            {settings_.candidates[i].weak, settings_.candidates[i].strong})
+        {
+            design.append(bounds_.mean);
+            design.last()[bounds_.nParameters + i] = s;
+        }
+    }
+    add("S5 signatures (around the calibrated state, not the one shown)", design);
+    return stages;
+}

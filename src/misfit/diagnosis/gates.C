@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// S7: what an answer must pass.
+
+#include "diagnosis.H"
+#include "StringStream.H"
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+string number(const scalar value)
+{
+    OStringStream os;
+    os.precision(3);
+    os << value;
+    return os.str();
+}
+
+
+//- The score that an explanation gains over the base, where that was recorded
+scalar gain(const sampledModel& m, const hypothesis& h, const scalar tolerance)
+{
+    const weighing weigh(m.weigh(tolerance));
+    const weighed base(weigh.base());
+    return
+        base.score
+      - weigh.quickly(h, whitener(base.covariance)).score;
+}
+
+
+//- Mean square of a whitened misfit
+scalar square(const stacked& data, const vec& f, const whitener& white)
+{
+    return white(vec(data.y - f)).squaredNorm()/data.size();
+}
+
+
+//- True if all that one has on is on in the other too
+bool contains(const hypothesis& all, const hypothesis& some)
+{
+    for (const label m : some.mechanisms)
+    {
+        if (!all.mechanisms.found(m))
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // End anonymous namespace
+
+
+bool Foam::misfit::diagnosis::passed(const word& name) const
+{
+    for (const gate& g : found_.gates)
+    {
+        if (g.name == name)
+        {
+            return g.passed || !g.applies;
+        }
+    }
+    return true;
+}
+
+
+Foam::misfit::gate Foam::misfit::diagnosis::detectionGate() const
+{
+    return
+    {
+        "detection",
+        "Chance of such a misfit if only the calibration were off",
+        number(found_.detection.p),
+        "below " + number(settings_.significance),
+        true,
+        found_.detection.p < settings_.significance
+    };
+}
+
+
+Foam::misfit::gate Foam::misfit::diagnosis::evidenceGate() const
+{
+    const scalar gained = baseline().score - best().score;
+    return
+    {
+        "evidence",
+        "Score that the best explanation gains over none",
+        number(gained),
+        "at least " + number(settings_.evidence),
+        true,
+        gained >= settings_.evidence
+    };
+}
+
+
+Foam::misfit::gate Foam::misfit::diagnosis::gapGate() const
+{
+    const scalar lead =
+        found_.explanations.size() > 1
+      ? found_.explanations[1].score - best().score : GREAT;
+    return
+    {
+        "gap",
+        "Lead in score over the next explanation",
+        number(lead),
+        "at least " + number(settings_.gap),
+        true,
+        lead >= settings_.gap
+    };
+}
+
+
+Foam::misfit::gate Foam::misfit::diagnosis::adequacyGate()
+{
+    const scanned left(look(*fit_, best()));
+    return
+    {
+        "adequacy",
+        "Chance of what the best explanation leaves",
+        number(left.p),
+        "at least " + number(settings_.adequacy),
+        !best().what.unknown,
+        left.p >= settings_.adequacy
+    };
+}
+
+
+Foam::misfit::gate Foam::misfit::diagnosis::heldOutGate
+(
+    const word& name,
+    const heldOut& h
+) const
+{
+    const bool physics = best().what.mechanisms.size();
+    return
+    {
+        name,
+        "Mean square of the misfit at " + h.what + " (was "
+      + number(h.squareBefore) + "), which was not used to find it",
+        number(h.squareAfter),
+        physics
+      ? "below " + number(max(h.squareBefore, 1.5)) : string("not worse"),
+        !best().what.unknown && !best().what.isNone(),
+        h.squareAfter < max(h.squareBefore*(physics ? 1 : 1.1), 1.5)
+    };
+}
+
+
+bool Foam::misfit::diagnosis::isStable(const label segment) const
+{
+    const auto rest(fit_->without(segment, width_));
+    const wordList names(mechanismNames());
+    const string here(told(best().what, names));
+    const List<weighed> all
+    (
+        rest->weigh(settings_.formulaTolerance).all
+        (
+            mechanisms_,
+            possibleFaults(rest->data(), settings_.faults),
+            best().what.mechanisms.size() > 1
+        )
+    );
+    scalar own = GREAT;
+    for (const weighed& w : all)
+    {
+        if (told(w.what, names) == here)
+        {
+            own = w.score;
+        }
+    }
+    for (const weighed& w : all)
+    {
+        const bool other =
+            w.what.fault ? true
+          : w.what.mechanisms.size()
+         && !contains(w.what, best().what) && !contains(best().what, w.what);
+        if (other && told(w.what, names) != here && w.score < own - settings_.gap)
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+
+Foam::misfit::gate Foam::misfit::diagnosis::stabilityGate() const
+{
+    const List<segment>& channels = fit_->data().segments;
+    label held = 0;
+    label asked = 0;
+    string lost;
+    const bool applies =
+        channels.size() > 1 && best().what.mechanisms.size();
+    forAll(channels, i)
+    {
+        if (applies)
+        {
+            ++asked;
+            const bool stable = isStable(i);
+            held += stable;
+            lost += stable ? "" : " " + channels[i].name;
+        }
+    }
+    return
+    {
+        "stability",
+        "Channels that can be left out without another explanation winning",
+        Foam::name(held) + " of " + Foam::name(asked)
+      + (lost.empty() ? "" : " (not" + lost + ")"),
+        "all",
+        applies,
+        held == asked
+    };
+}
+
+
+Foam::misfit::gate Foam::misfit::diagnosis::placeboGate() const
+{
+    const vec y = fit_->data().y;
+    const vec base = baseline().best.f;
+    const scalar tolerance = settings_.formulaTolerance;
+    const auto copy(fit_->copy());
+    const scalar real = gain(*copy, best().what, tolerance);
+
+    vec shuffled = y;
+    for (const segment& s : fit_->data().segments)
+    {
+        for (label i = 0; i < s.size; ++i)
+        {
+            const label j = s.first + (i + s.size/2) % s.size;
+            shuffled[s.first + i] = base[s.first + i] + y[j] - base[j];
+        }
+    }
+    copy->record(shuffled);
+    scalar placebo = gain(*copy, best().what, tolerance);
+    if (best().what.mechanisms.size())
+    {
+        copy->record(2*base - y);
+        placebo = max(placebo, gain(*copy, best().what, tolerance));
+    }
+    return
+    {
+        "placebo",
+        "Gain where the misfit has the wrong sign or is moved in time (really "
+      + number(real) + ")",
+        number(placebo),
+        "below " + number(0.5*real),
+        !best().what.unknown && !best().what.isNone(),
+        placebo < 0.5*real
+    };
+}
+
+
+void Foam::misfit::diagnosis::addHeldOut()
+{
+    const computed before(lookUp(baseline()));
+    const computed after(lookUp(best()));
+    const auto add = [&]
+    (
+        const string& what,
+        const purpose use,
+        const stacked& data,
+        const vec& a,
+        const vec& b,
+        const covariance* known
+    )
+    {
+        if (data.size() && a.size() == data.size() && b.size() == a.size())
+        {
+            const mat c =
+                known
+              ? known->at(b) : covariance(data, settings_.trigger).at(b);
+            const whitener white(c);
+            found_.held.append
+            ({
+                what, use, data, a, b,
+                square(data, a, white), square(data, b, white)
+            });
+        }
+    };
+
+    if (gate_->size())
+    {
+        add
+        (
+            "held-out channels", purpose::gate, gate_->data(),
+            before.given.gate, after.given.gate, &gate_->uncertainty()
+        );
+    }
+    add
+    (
+        "scored channels", purpose::score, data().score,
+        before.given.score, after.given.score, nullptr
+    );
+
+    for (label i = 1; i < sampler_.data().size(); ++i)
+    {
+        const observed& other = sampler_.data()[i];
+        List<runState> states
+        ({
+            state(before.variables), state(after.variables)
+        });
+        states[0].experiment = states[1].experiment = other.experiment;
+        const List<samples> given(ask(states));
+        if (given[0].ok() && given[1].ok())
+        {
+            const bool gates = other.use == purpose::gate;
+            add
+            (
+                "experiment " + other.experiment, other.use,
+                gates ? other.gate : other.score,
+                gates ? given[0].gate : given[0].score,
+                gates ? given[1].gate : given[1].score,
+                nullptr
+            );
+        }
+    }
+}
+
+
+void Foam::misfit::diagnosis::askGates()
+{
+    found_.gates.append(detectionGate());
+    if (!found_.gates.last().passed)
+    {
+        return;
+    }
+    found_.gates.append(evidenceGate());
+    found_.gates.append(gapGate());
+    found_.gates.append(adequacyGate());
+    addHeldOut();
+    for (const heldOut& h : found_.held)
+    {
+        if (h.use == purpose::gate)
+        {
+            found_.gates.append
+            (
+                heldOutGate
+                (
+                    h.what == "held-out channels" ? "heldOut" : "transfer", h
+                )
+            );
+        }
+    }
+    found_.gates.append(stabilityGate());
+    found_.gates.append(placeboGate());
+}

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// S6: the best explanations, computed in the solver and fitted again.
+
+#include "diagnosis.H"
+#include "HashSet.H"
+
+#include <algorithm>
+
+
+Foam::misfit::weighed Foam::misfit::diagnosis::refitted(const weighed& w)
+{
+    weighed now(w);
+    for (label pass = 0; pass < 2; ++pass)
+    {
+        const hypothesisModel model(fit_->surface(), bounds_, now.what);
+        const vec x = model.expand(now.best.x);
+        const samples given(means(List<vec>(1, x)).first());
+        if (!given.ok())
+        {
+            Info<< "    not refitted: " << given.failure.c_str() << endl;
+            return w;
+        }
+        const auto shifted(fit_->through(x, given.fit));
+        now = shifted->weigh(settings_.formulaTolerance).thoroughly(now);
+
+        const string name(told(w.what, mechanismNames()));
+        label i = 0;
+        while (i < computed_.size() && computed_[i].explanation != name)
+        {
+            ++i;
+        }
+        if (i == computed_.size())
+        {
+            computed_.append(computed());
+        }
+        computed_[i] = {name, x, given};
+
+        // Near enough to where it was computed: a tenth of what is uncertain
+        const hypothesisModel after(shifted->surface(), bounds_, now.what);
+        const vec moved =
+            (after.expand(now.best.x) - x).cwiseQuotient(width_);
+        if (moved.cwiseAbs().maxCoeff() < 0.1)
+        {
+            break;
+        }
+    }
+    return now;
+}
+
+
+void Foam::misfit::diagnosis::refit()
+{
+    if (found_.detection.p >= settings_.significance)
+    {
+        return;
+    }
+    Info<< "S6 refit" << endl;
+    List<weighed>& all = found_.explanations;
+    const auto order = [](const weighed& a, const weighed& b)
+    {
+        return a.score < b.score;
+    };
+
+    // The base too; then the best, until the best of all was computed
+    HashSet<string, string::hash> done;
+    for (weighed& w : all)
+    {
+        if (w.what.isNone())
+        {
+            w = refitted(w);
+            done.insert(told(w.what, mechanismNames()));
+        }
+    }
+    for (label n = 0; n < settings_.refit + 2; ++n)
+    {
+        std::sort(all.begin(), all.end(), order);
+        label i = 0;
+        while
+        (
+            i < min(settings_.refit, all.size())
+         && done.found(told(all[i].what, mechanismNames()))
+        )
+        {
+            ++i;
+        }
+        if (i == min(settings_.refit, all.size()))
+        {
+            break;
+        }
+        done.insert(told(all[i].what, mechanismNames()));
+        all[i] = refitted(all[i]);
+    }
+    std::sort(all.begin(), all.end(), order);
+}
+
+
+Foam::misfit::diagnosis::computed
+Foam::misfit::diagnosis::lookUp(const weighed& w) const
+{
+    const string name(told(w.what, mechanismNames()));
+    for (const computed& c : computed_)
+    {
+        if (c.explanation == name)
+        {
+            return c;
+        }
+    }
+
+    const hypothesisModel model(fit_->surface(), bounds_, w.what);
+    computed c;
+    c.explanation = name;
+    c.variables = model.expand(w.best.x);
+    c.given.fit = w.best.f;
+    if (gate_->size())
+    {
+        c.given.gate = gate_->surface()(c.variables);
+    }
+    return c;
+}
+
+
+const Foam::misfit::weighed& Foam::misfit::diagnosis::baseline() const
+{
+    for (const weighed& w : found_.explanations)
+    {
+        if (w.what.isNone())
+        {
+            return w;
+        }
+    }
+    return found_.explanations.last();
+}
+
+
+Foam::List<Foam::misfit::weighed> Foam::misfit::diagnosis::rivals() const
+{
+    List<weighed> near;
+    for (const weighed& w : found_.explanations)
+    {
+        if (w.score < best().score + settings_.gap)
+        {
+            near.append(w);
+        }
+    }
+    return near;
+}

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Recorded samples, what runs gave for them, and how far both may differ.
+
+#include "sampledModel.H"
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+void appendColumn(mat& m, const vec& v)
+{
+    const label n = m.cols();
+    m.conservativeResize(v.size(), n + 1);
+    m.col(n) = v;
+}
+
+
+mat rowsOf(const mat& m, const List<label>& keep)
+{
+    mat some(keep.size(), m.cols());
+    forAll(keep, i)
+    {
+        some.row(i) = m.row(keep[i]);
+    }
+    return some;
+}
+
+} // End anonymous namespace
+
+
+Foam::misfit::sampledModel::sampledModel
+(
+    const stacked& data,
+    const variableBounds& bounds,
+    const scalar trigger
+)
+:
+    data_(data),
+    variables_(bounds.mean.size(), 0),
+    samples_(data.size(), 0),
+    repeats_(data.size(), 0),
+    averaged_(1),
+    trigger_(trigger),
+    bounds_(bounds)
+{}
+
+
+void Foam::misfit::sampledModel::addRun(const vec& variables, const vec& samples)
+{
+    appendColumn(variables_, variables);
+    appendColumn(samples_, samples);
+}
+
+
+void Foam::misfit::sampledModel::addRepeats(const mat& runs, const label averaged)
+{
+    repeats_ = runs;
+    averaged_ = averaged;
+}
+
+
+void Foam::misfit::sampledModel::build(const vec& width)
+{
+    if (!size())
+    {
+        return;
+    }
+    surface_.reset
+    (
+        new responseSurface(variables_, samples_, bounds_.mean, width)
+    );
+    covariance_.reset(new covariance(data_, trigger_));
+    covariance_->addRepeats(repeats_, averaged_);
+    covariance_->addSpread(surface_->leftOut(), 1);
+    for (const vec& d : differences_)
+    {
+        covariance_->addDifference(d);
+    }
+}
+
+
+std::unique_ptr<Foam::misfit::sampledModel>
+Foam::misfit::sampledModel::copy() const
+{
+    auto copy = std::make_unique<sampledModel>(data_, bounds_, trigger_);
+    copy->variables_ = variables_;
+    copy->samples_ = samples_;
+    copy->repeats_ = repeats_;
+    copy->averaged_ = averaged_;
+    copy->differences_ = differences_;
+    copy->surface_.reset(new responseSurface(*surface_));
+    copy->covariance_.reset(new covariance(copy->data_, *covariance_));
+    return copy;
+}
+
+
+std::unique_ptr<Foam::misfit::sampledModel>
+Foam::misfit::sampledModel::through
+(
+    const vec& variables,
+    const vec& samples
+) const
+{
+    auto shifted(copy());
+    shifted->surface_->passThrough(variables, samples);
+    return shifted;
+}
+
+
+std::unique_ptr<Foam::misfit::sampledModel>
+Foam::misfit::sampledModel::without
+(
+    const label segment,
+    const vec& width
+) const
+{
+    List<label> keep;
+    const stacked rest(data_.without(segment, keep));
+    auto copy = std::make_unique<sampledModel>(rest, bounds_, trigger_);
+    copy->variables_ = variables_;
+    copy->samples_ = rowsOf(samples_, keep);
+    copy->repeats_ = rowsOf(repeats_, keep);
+    copy->averaged_ = averaged_;
+    for (const vec& d : differences_)
+    {
+        copy->differences_.append(rows(d, keep));
+    }
+    copy->build(width);
+    return copy;
+}

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// S9: the verdict, how sure it is, and what it says in a sentence.
+
+#include "diagnosis.H"
+#include "StringStream.H"
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+bool isFault(const weighed& w)
+{
+    return w.what.fault != nullptr;
+}
+
+
+//- The mechanisms that all have on
+List<label> common(const List<weighed>& list)
+{
+    List<label> core(list.first().what.mechanisms);
+    for (const weighed& w : list)
+    {
+        List<label> both;
+        for (const label m : core)
+        {
+            if (w.what.mechanisms.found(m))
+            {
+                both.append(m);
+            }
+        }
+        core = both;
+    }
+    return core;
+}
+
+
+//- Words in a row: "a, b or c"
+string inWords(const wordList& list, const string& last)
+{
+    string words;
+    forAll(list, i)
+    {
+        words +=
+            (i == 0 ? "" : i + 1 == list.size() ? ' ' + last + ' ' : ", ")
+          + list[i];
+    }
+    return words;
+}
+
+} // End anonymous namespace
+
+
+void Foam::misfit::diagnosis::judge(List<weighed>& near)
+{
+    const wordList names(mechanismNames());
+    label faults = 0;
+    for (const weighed& w : near)
+    {
+        faults += isFault(w);
+        if (w.what.unknown)
+        {
+            found_.verdict = "unknown";
+            return;
+        }
+    }
+    if (faults == near.size())
+    {
+        found_.verdict =
+            sensorFault::isRegistration(best().what.fault->type())
+          ? "registration" : "sensor";
+        found_.names.append(best().what.fault->channel());
+        return;
+    }
+
+    // What all have on is named, if that alone is one of them
+    const List<label> core(common(near));
+    forAll(near, i)
+    {
+        if (core.size() && near[i].what.mechanisms.size() == core.size())
+        {
+            if (i)
+            {
+                std::swap(found_.explanations[i], found_.explanations[0]);
+            }
+            for (const label m : core)
+            {
+                found_.names.append(names[m]);
+            }
+            found_.verdict = "named";
+            return;
+        }
+    }
+    found_.verdict = "set";
+    for (const weighed& w : near)
+    {
+        found_.names.append(word(told(w.what, names), false));
+    }
+}
+
+
+void Foam::misfit::diagnosis::decide()
+{
+    setProbabilities(found_.explanations, settings_.temperature);
+    setPosterior();
+    found_.before = baseline().best.f;
+    found_.verdict = "none";
+    List<weighed> near;
+    if (passed("detection") && passed("evidence"))
+    {
+        near = rivals();
+        judge(near);
+        const bool answers =
+            passed("adequacy") && passed("heldOut") && passed("transfer")
+         && passed("placebo");
+        if (!answers)
+        {
+            found_.verdict = "unknown";
+        }
+        else if (found_.verdict == "named" && !passed("stability"))
+        {
+            found_.verdict = "set";
+        }
+    }
+    if (found_.verdict == "unknown")
+    {
+        found_.names.clear();
+    }
+
+    const bool changed = found_.verdict != "none" && found_.verdict != "unknown";
+    found_.after = changed ? best().best.f : found_.before;
+    forAll(best().what.mechanisms, i)
+    {
+        const label k = bounds_.nParameters + i;
+        if (changed)
+        {
+            found_.strengths.append
+            ({
+                mechanismNames()[best().what.mechanisms[i]],
+                best().best.x[k],
+                best().best.deviation(k)
+            });
+        }
+    }
+    if (found_.verdict == "set")
+    {
+        advise(near);
+    }
+    confide();
+    describe();
+}
+
+
+void Foam::misfit::diagnosis::setPosterior()
+{
+    for (const weighed& w : found_.explanations)
+    {
+        found_.posterior.append
+        (
+            Tuple2<string, scalar>
+            (
+                told(w.what, mechanismNames()), w.probability
+            )
+        );
+    }
+}
+
+
+void Foam::misfit::diagnosis::confide()
+{
+    scalar sum = 0;
+    for (const weighed& w : found_.explanations)
+    {
+        const word& v = found_.verdict;
+        const bool counts =
+            v == "none" ? w.what.isNone()
+          : v == "sensor" || v == "registration" ? isFault(w)
+          : v == "unknown" ? w.what.unknown
+          : v == "set" ? w.score < best().score + settings_.gap
+          : told(w.what, mechanismNames())
+         == told(best().what, mechanismNames())
+         || (
+                best().what.mechanisms.size() == 1
+             && w.what.mechanisms.found(best().what.mechanisms[0])
+            );
+        sum += counts ? w.probability : 0;
+    }
+
+    // A verdict that gates enforced, against the weights, is less sure
+    if (found_.verdict == "none" && !passed("detection"))
+    {
+        sum = max(sum, 1 - settings_.significance);
+    }
+    if (found_.verdict == "unknown")
+    {
+        sum = max(sum, 0.7);
+    }
+    found_.confidence = min(sum, settings_.ceiling);
+}
+
+
+void Foam::misfit::diagnosis::describe()
+{
+    OStringStream os;
+    os.precision(3);
+    const word& v = found_.verdict;
+    if (v == "none")
+    {
+        os << (passed("detection")
+          ? "Recording and simulation part, but too little to say why."
+          : "Recording and calibrated simulation agree within what is"
+            " uncertain.");
+    }
+    else if (v == "unknown")
+    {
+        os << "Something is missing that is not in the library, or not only"
+            << " that: no explanation passes all gates.";
+    }
+    else if (v == "sensor" || v == "registration")
+    {
+        const hypothesisModel m(fit_->surface(), bounds_, best().what);
+        os << "Not physics: "
+            << best().what.fault->told(m.ofFault(best().best.x)).c_str()
+            << '.';
+    }
+    else
+    {
+        os << (v == "named" ? "Left out: " : "Left out is one of these, which"
+            " these channels cannot tell apart: ")
+            << inWords(found_.names, v == "named" ? "and" : "or").c_str();
+        for (const foundStrength& s : found_.strengths)
+        {
+            os << "; strength of " << s.name << ' ' << s.value << " +- "
+                << 2*s.deviation << " (95 %)";
+        }
+        os << '.';
+    }
+    found_.told = os.str();
+}
