@@ -402,6 +402,7 @@ Foam::misfit::diagnosis::diagnosis(sampler& s, const settings& set)
     settings_(set)
 {
     setBounds();
+    found_.library = mechanismNames();
     fit_.reset(new sampledModel(data().fit, bounds_, set.trigger));
     gate_.reset(new sampledModel(data().gate, bounds_, set.trigger));
 }

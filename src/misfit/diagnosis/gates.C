@@ -97,13 +97,27 @@ Foam::misfit::gate Foam::misfit::diagnosis::evidenceGate() const
 
 Foam::misfit::gate Foam::misfit::diagnosis::gapGate() const
 {
-    const scalar lead =
-        found_.explanations.size() > 1
-      ? found_.explanations[1].score - best().score : GREAT;
+    // One that has more on than the best, or less, says nothing else
+    scalar lead = GREAT;
+    string next("-");
+    for (const weighed& w : found_.explanations)
+    {
+        const bool same =
+            best().what.fault
+          ? w.what.fault && w.what.fault->channel() == best().what.fault->channel()
+          : best().what.unknown ? w.what.unknown
+          : w.what.mechanisms.size()
+         && (contains(w.what, best().what) || contains(best().what, w.what));
+        if (!same && w.score - best().score < lead)
+        {
+            lead = w.score - best().score;
+            next = told(w.what, mechanismNames());
+        }
+    }
     return
     {
         "gap",
-        "Lead in score over the next explanation",
+        "Lead in score over the next explanation that says something else (" + next + ")",
         number(lead),
         "at least " + number(settings_.gap),
         true,
@@ -235,11 +249,8 @@ Foam::misfit::gate Foam::misfit::diagnosis::placeboGate() const
     }
     copy->record(shuffled);
     scalar placebo = gain(*copy, best().what, tolerance);
-    if (best().what.mechanisms.size())
-    {
-        copy->record(2*base - y);
-        placebo = max(placebo, gain(*copy, best().what, tolerance));
-    }
+    copy->record(2*base - y);
+    placebo = max(placebo, gain(*copy, best().what, tolerance));
     return
     {
         "placebo",
@@ -247,7 +258,7 @@ Foam::misfit::gate Foam::misfit::diagnosis::placeboGate() const
       + number(real) + ")",
         number(placebo),
         "below " + number(0.5*real),
-        !best().what.unknown && !best().what.isNone(),
+        best().what.mechanisms.size() > 0,
         placebo < 0.5*real
     };
 }
@@ -275,7 +286,7 @@ void Foam::misfit::diagnosis::addHeldOut()
             const whitener white(c);
             found_.held.append
             ({
-                what, use, data, a, b,
+                what, use, data, a, b, c.diagonal().cwiseSqrt(),
                 square(data, a, white), square(data, b, white)
             });
         }

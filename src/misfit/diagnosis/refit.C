@@ -10,18 +10,19 @@
 Foam::misfit::weighed Foam::misfit::diagnosis::refitted(const weighed& w)
 {
     weighed now(w);
-    for (label pass = 0; pass < 2; ++pass)
+    const auto local(fit_->copy());
+    for (label pass = 0; pass < settings_.passes; ++pass)
     {
-        const hypothesisModel model(fit_->surface(), bounds_, now.what);
+        const hypothesisModel model(local->surface(), bounds_, now.what);
         const vec x = model.expand(now.best.x);
         const samples given(means(List<vec>(1, x)).first());
         if (!given.ok())
         {
             Info<< "    not refitted: " << given.failure.c_str() << endl;
-            return w;
+            return now;
         }
-        const auto shifted(fit_->through(x, given.fit));
-        now = shifted->weigh(settings_.formulaTolerance).thoroughly(now);
+        local->passThrough(x, given.fit);
+        now = local->weigh(settings_.formulaTolerance).thoroughly(now);
 
         const string name(told(w.what, mechanismNames()));
         label i = 0;
@@ -35,11 +36,11 @@ Foam::misfit::weighed Foam::misfit::diagnosis::refitted(const weighed& w)
         }
         computed_[i] = {name, x, given};
 
-        // Near enough to where it was computed: a tenth of what is uncertain
-        const hypothesisModel after(shifted->surface(), bounds_, now.what);
+        // Near enough to where it was computed: a twentieth of the widths
+        const hypothesisModel after(local->surface(), bounds_, now.what);
         const vec moved =
             (after.expand(now.best.x) - x).cwiseQuotient(width_);
-        if (moved.cwiseAbs().maxCoeff() < 0.1)
+        if (moved.cwiseAbs().maxCoeff() < 0.05)
         {
             break;
         }

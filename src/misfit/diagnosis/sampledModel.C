@@ -97,19 +97,6 @@ Foam::misfit::sampledModel::copy() const
 
 
 std::unique_ptr<Foam::misfit::sampledModel>
-Foam::misfit::sampledModel::through
-(
-    const vec& variables,
-    const vec& samples
-) const
-{
-    auto shifted(copy());
-    shifted->surface_->passThrough(variables, samples);
-    return shifted;
-}
-
-
-std::unique_ptr<Foam::misfit::sampledModel>
 Foam::misfit::sampledModel::without
 (
     const label segment,

@@ -55,7 +55,7 @@ Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
             wordList
             ({
                 "significance", "adequacy", "evidence", "gap",
-                "formulaTolerance", "refit", "pairs", "temperature", "ceiling"
+                "formulaTolerance", "refit", "passes", "pairs", "temperature", "ceiling"
             })
         )
     );
@@ -65,6 +65,7 @@ Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
     decision.readIfPresent("gap", s.gap);
     decision.readIfPresent("formulaTolerance", s.formulaTolerance);
     decision.readIfPresent("refit", s.refit);
+    decision.readIfPresent("passes", s.passes);
     decision.readIfPresent("pairs", s.pairs);
     decision.readIfPresent("temperature", s.temperature);
     decision.readIfPresent("ceiling", s.ceiling);

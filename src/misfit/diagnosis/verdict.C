@@ -139,7 +139,8 @@ void Foam::misfit::diagnosis::decide()
             ({
                 mechanismNames()[best().what.mechanisms[i]],
                 best().best.x[k],
-                best().best.deviation(k)
+                best().best.deviation(k),
+                best().best.pinned[k]
             });
         }
     }
@@ -231,8 +232,15 @@ void Foam::misfit::diagnosis::describe()
             << inWords(found_.names, v == "named" ? "and" : "or").c_str();
         for (const foundStrength& s : found_.strengths)
         {
-            os << "; strength of " << s.name << ' ' << s.value << " +- "
-                << 2*s.deviation << " (95 %)";
+            os << "; strength of " << s.name << ' ' << s.value;
+            if (s.pinned)
+            {
+                os << ", the largest that is allowed";
+            }
+            else
+            {
+                os << " +- " << 2*s.deviation << " (95 %)";
+            }
         }
         os << '.';
     }

@@ -94,7 +94,8 @@ Foam::misfit::responseSurface::responseSurface
 :
     centre_(centre),
     width_(width),
-    shift_(vec::Zero(samples.rows()))
+    shift_(vec::Zero(samples.rows())),
+    tilt_(mat::Zero(samples.rows(), centre.size()))
 {
     const mat z =
         width.cwiseInverse().asDiagonal()*(variables.colwise() - centre);
@@ -135,7 +136,12 @@ Foam::misfit::vec
 Foam::misfit::responseSurface::operator()(const vec& x) const
 {
     const vec z = (x - centre_).cwiseQuotient(width_);
-    return coefficients_.transpose()*design(z).transpose() + shift_;
+    vec f = coefficients_.transpose()*design(z).transpose() + shift_;
+    if (at_.size())
+    {
+        f += tilt_*(z - at_);
+    }
+    return f;
 }
 
 
@@ -156,7 +162,9 @@ Foam::misfit::mat Foam::misfit::responseSurface::slopes(const vec& x) const
             inTerms(t, b) += z[a]/width_[b];
         }
     }
-    return coefficients_.transpose()*inTerms;
+    return
+        coefficients_.transpose()*inTerms
+      + tilt_*mat(width_.cwiseInverse().asDiagonal());
 }
 
 
@@ -166,6 +174,13 @@ void Foam::misfit::responseSurface::passThrough
     const vec& samples
 )
 {
-    shift_.setZero();
-    shift_ = samples - (*this)(x);
+    const vec z = (x - centre_).cwiseQuotient(width_);
+    const vec error = samples - (*this)(x);
+    if (at_.size() && (z - at_).squaredNorm() > SMALL)
+    {
+        const vec step = z - at_;
+        tilt_ += error*step.transpose()/step.squaredNorm();
+    }
+    at_ = z;
+    shift_ += samples - (*this)(x);
 }

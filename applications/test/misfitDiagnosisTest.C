@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whole diagnoses of a surge in closed form, whose truth has other formulas
+// than the library: the verdict, its gates, and what it says.
+
+#include "diagnosis.H"
+#include "misfitWorld.H"
+#include "testNumber.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+namespace
+{
+
+//- Stands for the solver. P1 gates; experiment B has a smaller release
+class worldSampler
+:
+    public sampler
+{
+    world world_;
+
+    List<observed> data_;
+
+    //- A mechanism at which the solver fails
+    label crashing_ = -1;
+
+
+    stacked gate() const
+    {
+        stacked s;
+        s.segments = List<segment>({world_.data.segments[2]});
+        s.segments[0].first = 0;
+        s.y = world_.data.segments[2].of(world_.data.y);
+        return s;
+    }
+
+    vec variables(const runState& s) const
+    {
+        vec x = vec::Zero(world_.bounds.mean.size());
+        x[0] = s.parameters.lookup("release", 0);
+        x[1] = s.parameters.lookup("friction", 0);
+        for (label m = 0; m < world::nMechanisms; ++m)
+        {
+            x[world::nParameters + m] =
+                s.strengths.lookup(world::mechanism(m), 0);
+        }
+        return x;
+    }
+
+    vec simulated(const vec& x, const word& experiment) const
+    {
+        vec y = x;
+        y[0] -= experiment == "B" ? 0.3 : 0;
+        return world_(y);
+    }
+
+public:
+
+    label runs = 0;
+
+    //- What was recorded in both experiments: of these variables, with another
+    //  formula, plus an addition to A
+    worldSampler
+    (
+        const vec& x,
+        const label seed,
+        const vec& added,
+        const scalar bend = 1
+    )
+    :
+        world_(20)
+    {
+        std::mt19937 generator(seed);
+        for (const word& e : wordList({"A", "B"}))
+        {
+            vec y = x;
+            y[0] -= e == "B" ? 0.3 : 0;
+            world_.data.y = world_(y, bend) + world_.noise(generator);
+            if (e == "A" && added.size())
+            {
+                world_.data.y += added;
+            }
+            List<label> keep;
+            observed o;
+            o.experiment = e;
+            o.use = e == "A" ? purpose::fit : purpose::gate;
+            if (e == "A")
+            {
+                o.fit = world_.data.without(2, keep);
+                o.gate = gate();
+            }
+            else
+            {
+                o.gate = world_.data;
+            }
+            data_.append(o);
+        }
+    }
+
+    void crashWith(const label mechanism)
+    {
+        crashing_ = mechanism;
+    }
+
+    List<samples> operator()(const List<runState>& states) override
+    {
+        List<samples> all(states.size());
+        forAll(states, i)
+        {
+            ++runs;
+            const vec x = variables(states[i]);
+            const vec f = simulated(x, states[i].experiment);
+            if (crashing_ >= 0 && x[world::nParameters + crashing_] > 0)
+            {
+                all[i].failure = "floating point exception";
+            }
+            else if (states[i].experiment == "A")
+            {
+                List<label> keep;
+                world_.data.without(2, keep);
+                all[i].fit = rows(f, keep);
+                all[i].gate = world_.data.segments[2].of(f);
+            }
+            else
+            {
+                all[i].gate = f;
+            }
+        }
+        return all;
+    }
+
+    const List<observed>& data() const override
+    {
+        return data_;
+    }
+};
+
+
+settings worldSettings()
+{
+    settings s;
+    s.parameters =
+    {
+        {"release", {}, 0, 0.1, -0.4, 0.4}, {"friction", {}, 0, 0.1, -0.4, 0.4}
+    };
+    for (label m = 0; m < world::nMechanisms; ++m)
+    {
+        const word name(world::mechanism(m));
+        s.candidates.append({name, name, {}, 0.5, 1, 1, GREAT, {}});
+    }
+    using kind = sensorFault::kind;
+    s.faults =
+    {
+        kind::lag, kind::gain, kind::zero, kind::drift, kind::clock,
+        kind::clogged, kind::swapped, kind::misplaced, kind::units
+    };
+    s.trigger = 0.005;
+    s.draws = 500;
+    return s;
+}
+
+
+vec truth(const label mechanism, const scalar strength)
+{
+    vec x = vec::Zero(world::nParameters + world::nMechanisms);
+    x[0] = 0.06;
+    x[1] = -0.08;
+    if (mechanism >= 0)
+    {
+        x[world::nParameters + mechanism] = strength;
+    }
+    return x;
+}
+
+
+finding diagnose(worldSampler& s, const settings& set = worldSettings())
+{
+    diagnosis d(s, set);
+    return d();
+}
+
+
+void show(const finding& f)
+{
+    std::printf("%s: %s\n", f.verdict.c_str(), f.told.c_str());
+    for (const gate& g : f.gates)
+    {
+        std::printf
+        (
+            "  %-10s %-7s %s (%s)\n", g.name.c_str(),
+            g.applies ? g.passed ? "passed" : "failed" : "-",
+            g.value.c_str(), g.bound.c_str()
+        );
+    }
+}
+
+} // End anonymous namespace
+
+
+TEST(misfitDiagnosis, aMistunedModelLacksNothing)
+{
+    label none = 0;
+    for (label k = 0; k < 5; ++k)
+    {
+        worldSampler s(truth(-1, 0), 100 + k, vec());
+        const finding f(diagnose(s));
+        none += f.verdict == "none";
+        if (f.verdict != "none")
+        {
+            show(f);
+        }
+    }
+    EXPECT_EQ(none, 5);
+}
+
+
+TEST(misfitDiagnosis, aMechanismIsNamedAlthoughItsFormulaDiffers)
+{
+    for (label m = 0; m < 4; ++m)
+    {
+        worldSampler s(truth(m, 0.7), 200 + m, vec());
+        const finding f(diagnose(s));
+        show(f);
+        EXPECT_EQ(f.verdict, "named") << world::mechanism(m);
+        EXPECT_EQ(f.names, wordList({world::mechanism(m)}));
+        EXPECT_GT(f.confidence, 0.7);
+        EXPECT_FALSE(f.located.empty());
+        ASSERT_EQ(f.held.size(), 2);
+        EXPECT_LT(f.held[1].squareAfter, f.held[1].squareBefore);
+    }
+}
+
+
+TEST(misfitDiagnosis, theStrengthLiesInItsInterval)
+{
+    for (label m = 0; m < 4; ++m)
+    {
+        worldSampler s(truth(m, 0.7), 250 + m, vec(), 0);
+        const finding f(diagnose(s));
+        ASSERT_EQ(f.strengths.size(), 1) << world::mechanism(m);
+        EXPECT_NEAR
+        (
+            f.strengths[0].value, 0.7, 3*f.strengths[0].deviation
+        ) << world::mechanism(m);
+        EXPECT_LT(f.strengths[0].deviation, 0.2);
+    }
+}
+
+
+TEST(misfitDiagnosis, aFaultySensorIsBlamedAndNotPhysics)
+{
+    world w(20);
+    vec added = vec::Zero(w.data.size());
+    w.data.segments[0].of(added).setConstant(90);
+    worldSampler s(truth(-1, 0), 300, added);
+    const finding f(diagnose(s));
+    show(f);
+    EXPECT_EQ(f.verdict, "sensor");
+    EXPECT_EQ(f.names, wordList({"P1"}));
+    EXPECT_NE(f.told.find("zero"), std::string::npos) << f.told;
+}
+
+
+TEST(misfitDiagnosis, whatIsNotInTheLibraryIsUnknown)
+{
+    world w(20);
+    vec added = vec::Zero(w.data.size());
+    forAll(w.data.segments, i)
+    {
+        const segment& s = w.data.segments[i];
+        s.of(added).array() +=
+            (s.quantity == "pressure" ? 150 : 0.015)
+           *(-((s.x.array() - 3.2 + 0.3*i)/0.25).square()).exp();
+    }
+    worldSampler s(truth(-1, 0), 400, added);
+    const finding f(diagnose(s));
+    show(f);
+    EXPECT_EQ(f.verdict, "unknown");
+}
+
+
+TEST(misfitDiagnosis, aCandidateThatCrashesTheSolverDropsOut)
+{
+    worldSampler s(truth(0, 0.7), 200, vec());
+    s.crashWith(3);
+    const finding f(diagnose(s));
+    EXPECT_EQ(f.verdict, "named");
+    ASSERT_EQ(f.dropped.size(), 1);
+    EXPECT_EQ(f.dropped[0].first(), "gate");
+    EXPECT_NE(f.dropped[0].second().find("floating point"), std::string::npos);
+}
+
+
+TEST(misfitDiagnosis, aWrongSignScreensACandidateOutBeforeItIsRun)
+{
+    settings set(worldSettings());
+    set.candidates[2].signs = {{"pressure", "peak", -1}};
+    worldSampler s(truth(0, 0.7), 200, vec());
+    const finding f(diagnose(s, set));
+    ASSERT_EQ(f.dropped.size(), 1);
+    EXPECT_EQ(f.dropped[0].first(), "longTail");
+    EXPECT_EQ(f.verdict, "named");
+    testNumber("states asked for in a diagnosis of five mechanisms", s.runs);
+    EXPECT_LE(s.runs, 30);
+}

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Says where a case and recordings part, and which physics is missing.
+
+#include "diagnosis.H"
+#include "report.H"
+#include "solverPredictor.H"
+
+#include "argList.H"
+#include "IOdictionary.H"
+#include "OSspecific.H"
+#include "Time.H"
+#include "UPstream.H"
+
+namespace Foam
+{
+namespace misfit
+{
+
+//- system/misfitDict, or what -dict names
+dictionary readDict(const Time& runTime, const argList& args)
+{
+    const fileName file
+    (
+        args.lookupOrDefault<fileName>("dict", "system/misfitDict")
+    );
+    return IOdictionary
+    (
+        IOobject
+        (
+            file.isAbsolute() ? file : runTime.path()/file,
+            runTime,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+}
+
+
+//- List the runs and what they will cost
+void tellPlan
+(
+    const diagnosis& d,
+    const solverPredictor& solver,
+    const settings& set
+)
+{
+    label n = 0;
+    for (const auto& stage : d.plan())
+    {
+        solver.tell(stage.first(), stage.second());
+        n += stage.second().size();
+    }
+    const label refits = (set.refit + 1)*set.common;
+    Info<< "S6 refit: " << refits << " to " << refits*set.passes
+        << " runs at states that S5 will find" << nl
+        << "S7 gates: 2 runs of each held-out experiment" << nl << nl
+        << n << " runs are known beforehand; a state that two stages share is"
+        << " run once" << endl;
+}
+
+
+void tellFinding(const finding& f, const fileName& folder)
+{
+    Info<< nl << "Verdict: " << f.verdict << nl << f.told.c_str() << nl
+        << "Confidence " << f.confidence << nl;
+    for (const string& place : f.located)
+    {
+        Info<< "    " << place.c_str() << nl;
+    }
+    Info<< nl << "To read: " << (folder/"report.html").c_str() << nl
+        << "The record: " << (folder/"verdict.json").c_str() << endl;
+}
+
+} // End namespace misfit
+} // End namespace Foam
+
+
+int main(int argc, char* argv[])
+{
+    using namespace Foam;
+    using namespace Foam::misfit;
+
+    argList::addNote
+    (
+        "Compare a case with recordings and say which physics is missing."
+        " See README.md beside the source."
+    );
+    argList::noParallel();
+    argList::addOption("dict", "file", "Instead of system/misfitDict");
+    argList::addBoolOption("dry-run", "List the runs and their cost only");
+
+    UPstream::initNull();
+    const argList args(argc, argv);
+    Time runTime(Time::controlDictName, args);
+
+    const dictionary dict(readDict(runTime, args));
+    const fileName folder(runTime.path()/"misfit");
+    const settings set(readSettings(dict));
+    const recordings recorded(dict, runTime.path());
+    recorded.checkEnough(dict, set.parameters.size() + 2);
+
+    solverPredictor solver(recorded, runTime.path(), dict);
+    predictedSampler sampler(recorded, solver);
+    diagnosis diagnose(sampler, set);
+
+    if (args.found("dry-run"))
+    {
+        tellPlan(diagnose, solver, set);
+        return 0;
+    }
+
+    // Not the verdict of an earlier time while this one is not finished
+    rm(folder/"verdict.json");
+    const finding& found = diagnose();
+    writeReport(found, folder, runTime.path().name());
+    tellFinding(found, folder);
+    return 0;
+}

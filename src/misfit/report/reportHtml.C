@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// report.html: a diagnosis for a reader who has five minutes.
+
+#include "report.H"
+
+#include "base64Layer.H"
+
+#include <fstream>
+#include <sstream>
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+using row = std::vector<std::string>;
+
+
+std::string escaped(const std::string& text)
+{
+    std::string safe;
+    for (const char c : text)
+    {
+        safe +=
+            c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;"
+          : std::string(1, c);
+    }
+    return safe;
+}
+
+
+std::string table(const row& head, const std::vector<row>& rows)
+{
+    std::string text("<table>\n<tr>");
+    for (const std::string& cell : head)
+    {
+        text += "<th>" + escaped(cell) + "</th>";
+    }
+    text += "</tr>\n";
+    for (const row& r : rows)
+    {
+        text += "<tr>";
+        for (const std::string& cell : r)
+        {
+            text += "<td>" + escaped(cell) + "</td>";
+        }
+        text += "</tr>\n";
+    }
+    return text + "</table>\n";
+}
+
+
+std::string header(const std::string& title)
+{
+    return
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+        "<title>" + escaped(title) + "</title>\n<style>"
+        "body{font:16px/1.5 sans-serif;max-width:62em;margin:2em auto;"
+        "padding:0 1em;color:#222}"
+        "table{border-collapse:collapse;margin:.5em 0}"
+        "td,th{border-bottom:1px solid #ccc;padding:.2em .8em;text-align:left}"
+        "img{max-width:100%}.verdict{background:#eef3f8;padding:1em;"
+        "font-size:1.2em}h2{margin-top:2em}</style></head><body>\n"
+        "<h1>" + escaped(title) + "</h1>\n";
+}
+
+
+std::string figure(const fileName& file, const std::string& words)
+{
+    std::ifstream is(file, std::ios::binary);
+    const std::string bytes
+    (
+        (std::istreambuf_iterator<char>(is)), std::istreambuf_iterator<char>()
+    );
+    std::ostringstream os;
+    base64Layer encode(os);
+    encode.write(bytes.data(), bytes.size());
+    encode.close();
+    return
+        "<p><img alt=\"" + escaped(words) + "\" src=\"data:image/png;base64,"
+      + os.str() + "\"><br>" + escaped(words) + "</p>\n";
+}
+
+
+std::string percent(const scalar share)
+{
+    return shortNumber(std::round(100*share)) + " %";
+}
+
+
+std::string verdict(const finding& f)
+{
+    std::string text
+    (
+        "<div class=\"verdict\"><b>" + escaped(f.verdict) + ".</b> "
+      + escaped(f.told) + "<br>Confidence " + percent(f.confidence)
+    );
+    for (const heldOut& h : f.held)
+    {
+        if (f.strengths.size() && h.squareBefore > 1)
+        {
+            const scalar removed =
+                (h.squareBefore - h.squareAfter)/(h.squareBefore - 1);
+            text +=
+                "<br>At " + escaped(h.what) + ", not used to find it, "
+              + percent(min(removed, 1.0)) + " of the misfit is gone"
+                " (mean square over what is uncertain: from "
+              + shortNumber(h.squareBefore) + " to "
+              + shortNumber(h.squareAfter) + ").";
+        }
+    }
+    return text + "</div>\n";
+}
+
+
+std::string where(const finding& f)
+{
+    std::string text("<h2>Where and when they part</h2>\n");
+    if (f.located.empty())
+    {
+        return text + "<p>Nowhere beyond what is uncertain.</p>\n";
+    }
+    text += "<p>Calibrated simulation against recording, the clearest first:"
+        "</p>\n<ol>\n";
+    forAll(f.located, i)
+    {
+        if (i < 5)
+        {
+            text += "<li>" + escaped(f.located[i]) + "</li>\n";
+        }
+    }
+    return text + "</ol>\n";
+}
+
+
+std::string calibration(const finding& f)
+{
+    std::vector<row> rows;
+    for (const calibrated& p : f.parameters)
+    {
+        rows.push_back
+        ({
+            p.name,
+            shortNumber(p.before) + " +- " + shortNumber(p.prior),
+            shortNumber(p.value) + " +- " + shortNumber(p.deviation),
+            p.pinned ? "at its bound: the base model strains" : ""
+        });
+    }
+    return
+        "<h2>Calibration before blame</h2>\n<p>What the base model may set by"
+        " itself was fitted first. The chance of such a misfit by accident was "
+      + shortNumber(f.raw.p) + " before and is " + shortNumber(f.detection.p)
+      + " after.</p>\n"
+      + (rows.empty() ? std::string("<p>It has no such parameter.</p>\n")
+          : table({"parameter", "expected", "fitted", ""}, rows));
+}
+
+
+std::string explanations(const finding& f, const wordList& names)
+{
+    std::vector<row> rows;
+    for (const weighed& w : f.explanations)
+    {
+        if (rows.size() < 8)
+        {
+            rows.push_back
+            ({
+                told(w.what, names),
+                shortNumber(w.score - f.explanations.first().score),
+                percent(w.probability)
+            });
+        }
+    }
+    return
+        "<h2>Explanations that were weighed</h2>\n<p>"
+      + std::to_string(f.explanations.size()) + " were fitted in the same way."
+        " The score behind the best counts misfit, and each further unknown"
+        " against it; 6 behind is 20 times less likely.</p>\n"
+      + table({"explanation", "score behind the best", "probability"}, rows);
+}
+
+
+std::string gates(const finding& f)
+{
+    std::vector<row> rows;
+    for (const misfit::gate& g : f.gates)
+    {
+        rows.push_back
+        ({
+            g.name, g.asked, g.value, g.bound,
+            g.applies ? g.passed ? "passed" : "failed" : "nothing to ask"
+        });
+    }
+    return
+        "<h2>What the answer had to pass</h2>\n"
+      + table({"gate", "asked", "value", "must be", ""}, rows);
+}
+
+
+std::string apart(const finding& f)
+{
+    if (f.candidates.empty())
+    {
+        return "";
+    }
+    row head(1, "");
+    head.insert(head.end(), f.candidates.begin(), f.candidates.end());
+    std::vector<row> rows;
+    forAll(f.candidates, i)
+    {
+        row r(1, f.candidates[i]);
+        for (label j = 0; j < f.apart.cols(); ++j)
+        {
+            r.push_back(shortNumber(f.apart(i, j)));
+        }
+        rows.push_back(r);
+    }
+    return
+        "<h2>What these channels can tell apart</h2>\n<p>Effect of each"
+        " mechanism at full strength that the one of the column, at whatever"
+        " strength, cannot imitate, in standard deviations. On the diagonal the"
+        " whole effect. Below 3: not to be told apart.</p>\n"
+      + table(head, rows);
+}
+
+
+std::string rest(const finding& f)
+{
+    std::string text;
+    if (f.dropped.size())
+    {
+        std::vector<row> rows;
+        for (const auto& d : f.dropped)
+        {
+            rows.push_back({d.first(), d.second()});
+        }
+        text +=
+            "<h2>Not compared</h2>\n" + table({"candidate", "why"}, rows);
+    }
+    if (f.advice.size())
+    {
+        text +=
+            "<h2>What would settle it</h2>\n<p>" + escaped(f.advice)
+          + ".</p>\n";
+    }
+    return text;
+}
+
+
+//- What a picture shows, by the name of its file
+std::string caption(const finding& f, const fileName& file)
+{
+    const std::string name(file.nameLessExt());
+    if (name == "map")
+    {
+        return
+            "Each channel over time: red where the recording is higher than the"
+            " simulation, blue where it is lower, in standard deviations.";
+    }
+    if (name == "fitted")
+    {
+        return "The channels that were fitted.";
+    }
+    const heldOut& h = f.held[std::stoi(name.substr(7)) - 1];
+    return
+        "Not used to find it: " + h.what + ". Mean square of the misfit "
+      + shortNumber(h.squareBefore) + " before, " + shortNumber(h.squareAfter)
+      + " after (1: as good as it can be).";
+}
+
+} // End anonymous namespace
+
+
+std::string Foam::misfit::reportHtml
+(
+    const finding& f,
+    const string& title,
+    const List<fileName>& figures
+)
+{
+    std::string series;
+    std::string map;
+    for (const fileName& file : figures)
+    {
+        (file.nameLessExt() == "map" ? map : series) +=
+            figure(file, caption(f, file));
+    }
+    return
+        header(title) + verdict(f) + "<h2>Before and after</h2>\n" + series
+      + where(f) + map + calibration(f) + explanations(f, f.library)
+      + gates(f) + apart(f) + rest(f)
+      + "<p>States asked for: " + std::to_string(f.nRuns)
+      + ". The same in numbers: verdict.json.</p>\n</body></html>\n";
+}

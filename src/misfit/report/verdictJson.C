@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// verdict.json: the record of a diagnosis.
+
+#include "report.H"
+
+#include "OSspecific.H"
+#include "error.H"
+
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::misfit;
+using json = nlohmann::ordered_json;
+
+json list(const wordList& names)
+{
+    json all = json::array();
+    for (const word& name : names)
+    {
+        all.push_back(name);
+    }
+    return all;
+}
+
+
+json numbers(const vec& v)
+{
+    json all = json::array();
+    for (const scalar value : v)
+    {
+        all.push_back(value);
+    }
+    return all;
+}
+
+
+json gates(const finding& f)
+{
+    json all = json::array();
+    for (const misfit::gate& g : f.gates)
+    {
+        all.push_back
+        ({
+            {"name", g.name},
+            {"asked", g.asked},
+            {"value", g.value},
+            {"bound", g.bound},
+            {"result", g.applies ? g.passed ? "passed" : "failed" : "none"}
+        });
+    }
+    return all;
+}
+
+
+json parameters(const finding& f)
+{
+    json all = json::array();
+    for (const calibrated& p : f.parameters)
+    {
+        all.push_back
+        ({
+            {"name", p.name},
+            {"before", p.before},
+            {"priorDeviation", p.prior},
+            {"value", p.value},
+            {"deviation", p.deviation},
+            {"atBound", p.pinned}
+        });
+    }
+    return all;
+}
+
+
+json strengths(const finding& f)
+{
+    json all = json::array();
+    for (const foundStrength& s : f.strengths)
+    {
+        all.push_back
+        ({
+            {"name", s.name},
+            {"value", s.value},
+            {"deviation", s.deviation},
+            {"atBound", s.pinned}
+        });
+    }
+    return all;
+}
+
+
+json located(const finding& f)
+{
+    json all = json::array();
+    for (label i = 0; i < f.located.size(); ++i)
+    {
+        const window& w = f.detection.windows[i];
+        const segment& s = f.data.segments[w.segment];
+        all.push_back
+        ({
+            {"channel", s.name},
+            {"from", s.x[w.begin] - 0.5*s.span},
+            {"to", s.x[w.end - 1] + 0.5*s.span},
+            {"sigma", w.size},
+            {"phase", phaseOf(s, f.data.y, w)},
+            {"words", f.located[i]}
+        });
+    }
+    return all;
+}
+
+
+json heldOuts(const finding& f)
+{
+    json all = json::array();
+    for (const heldOut& h : f.held)
+    {
+        all.push_back
+        ({
+            {"what", h.what},
+            {"use", purposeNames[h.use]},
+            {"meanSquareBefore", h.squareBefore},
+            {"meanSquareAfter", h.squareAfter}
+        });
+    }
+    return all;
+}
+
+
+json posterior(const finding& f)
+{
+    json all = json::array();
+    for (const auto& p : f.posterior)
+    {
+        if (p.second() > 1e-4)
+        {
+            all.push_back
+            ({
+                {"explanation", p.first()},
+                {"probability", p.second()}
+            });
+        }
+    }
+    return all;
+}
+
+
+json dropped(const finding& f)
+{
+    json all = json::array();
+    for (const auto& d : f.dropped)
+    {
+        all.push_back({{"name", d.first()}, {"why", d.second()}});
+    }
+    return all;
+}
+
+
+json apart(const finding& f)
+{
+    json all = json::object();
+    forAll(f.candidates, i)
+    {
+        all[f.candidates[i]] = numbers(f.apart.row(i).transpose());
+    }
+    return all;
+}
+
+} // End anonymous namespace
+
+
+std::string Foam::misfit::shortNumber(const scalar value)
+{
+    std::ostringstream os;
+    os << std::setprecision(3) << value;
+    return os.str();
+}
+
+
+void Foam::misfit::writeWhole(const fileName& file, const std::string& text)
+{
+    const fileName half(file + ".new");
+    {
+        std::ofstream os(half);
+        os << text;
+        if (!os)
+        {
+            FatalErrorInFunction
+                << "Could not write " << half << exit(FatalError);
+        }
+    }
+    mv(half, file);
+}
+
+
+std::string Foam::misfit::verdictJson(const finding& f, const string& title)
+{
+    return json
+    ({
+        {"case", title},
+        {"verdict", f.verdict},
+        {"names", list(f.names)},
+        {"words", f.told},
+        {"confidence", f.confidence},
+        {"strengths", strengths(f)},
+        {"detection", {{"pRaw", f.raw.p}, {"p", f.detection.p}}},
+        {"located", located(f)},
+        {"calibration", parameters(f)},
+        {"gates", gates(f)},
+        {"heldOut", heldOuts(f)},
+        {"posterior", posterior(f)},
+        {"dropped", dropped(f)},
+        {"apart", apart(f)},
+        {"advice", f.advice},
+        {"statesAskedFor", f.nRuns}
+    }).dump(2) + '\n';
+}
+
+
+void Foam::misfit::writeReport
+(
+    const finding& f,
+    const fileName& folder,
+    const string& title
+)
+{
+    const List<fileName> figures(drawFigures(f, folder/"plots"));
+    writeWhole(folder/"report.html", reportHtml(f, title, figures));
+    writeWhole(folder/"verdict.json", verdictJson(f, title));
+}
