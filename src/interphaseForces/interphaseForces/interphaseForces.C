@@ -115,6 +115,28 @@ void Foam::interphaseForces::setTorque
 }
 
 
+void Foam::interphaseForces::findMeanVelocity()
+{
+    const List<locatedGrain>& grains = exchange_.grains();
+    scalarField mass(grains.size());
+    meanVelocity_.setSize(grains.size());
+
+    forAll(grains, i)
+    {
+        mass[i] = grains[i].mass;
+        meanVelocity_[i] = grains[i].velocity;
+    }
+
+    // One grain for one has its own
+    if (coarseGraining_ > 1)
+    {
+        meanVelocity_ =
+            porosity_.gather(porosity_.spread(vectorField(mass*meanVelocity_)))
+           /porosity_.gather(porosity_.spread(mass));
+    }
+}
+
+
 Foam::Field<Foam::fluidAtGrain> Foam::interphaseForces::around
 (
     const vectorField& U,
@@ -243,7 +265,7 @@ void Foam::interphaseForces::setForce
     const grainState state
     {
         2*grain.radius/coarseGraining_,
-        U - grain.velocity,
+        U - meanVelocity_[i],
         0.5*vorticity - grain.angularVelocity,
         vorticity,
         fluid.number(fluidAtGrain::rho),
@@ -260,11 +282,16 @@ void Foam::interphaseForces::setForce
     const scalar m = mobile_ ? grain.mass : GREAT;
     const scalar M = mobile_ ? m/(m + C + K*interval) : 1;
 
+    // Shear moves computed grains past each other N times as fast as real ones
+    const scalar K1 = K/sqr(coarseGraining_);
+    const scalar drag1 = m/(m + K1*interval)*K1;
+
     drag0_[i] = M*K;
     virtualMass0_[i] = M*C;
     pressure0_[i] = (1 - M)*pressureGradientStrength_*volume;
     explicit_[i] =
-        lift + virtualMass0_[i]*convection - drag0_[i]*grain.velocity
+        lift + virtualMass0_[i]*convection - drag0_[i]*meanVelocity_[i]
+      + drag1*(meanVelocity_[i] - grain.velocity)
       + (M - 1)*freeLoad(grain, fluid, volume, lift);
 
     setTorque(i, state, interval);
@@ -286,6 +313,7 @@ void Foam::interphaseForces::prepare
     pressure0_.setSize(n);
     explicit_.setSize(n);
     torque_.setSize(n);
+    findMeanVelocity();
 
     const Field<fluidAtGrain> atGrains(gather(fluid));
     const scalarField dSauter
