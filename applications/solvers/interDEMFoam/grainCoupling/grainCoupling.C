@@ -67,7 +67,11 @@ Foam::grainCoupling::grainCoupling(const fvMesh& mesh, const vector& g)
     writeActivePhysics();
 
     locateGrains();
-    checkWalls();
+    // In a surge soft grains dent deeper than a packing may
+    if (!phase_->restarted())
+    {
+        checkWalls();
+    }
     checkRegime();
     findPorosity();
     solidBefore_ = solidAfter_;
