@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# How near the runs of table.csv come to the paper's:
+#
+#   awk -v rows="rows..." -v matrix=FILE -f statistics.awk table.csv
+#
+# Tells lines "check,quantity,value,wanted,unit" for result.csv and writes the
+# correlation matrix. Rows of the same run with other seeds of the packing, if
+# there are any, give the intervals of the rank correlations.
+
+function abs(x) { return x < 0 ? -x : x }
+
+function mean(x, n,    i, sum)
+{
+    for (i = 1; i <= n; i++) sum += x[i]
+    return sum/n
+}
+
+# Correlation of x and y (Pearson)
+function correlation(x, y, n,    i, mx, my, xy, xx, yy)
+{
+    mx = mean(x, n); my = mean(y, n)
+    for (i = 1; i <= n; i++)
+    {
+        xy += (x[i] - mx)*(y[i] - my)
+        xx += (x[i] - mx)^2
+        yy += (y[i] - my)^2
+    }
+    return xx > 0 && yy > 0 ? xy/sqrt(xx*yy) : 0
+}
+
+# Ranks of x; equal values share the mean of theirs
+function rank(x, n, result,    i, k)
+{
+    for (i = 1; i <= n; i++)
+    {
+        result[i] = 0.5
+        for (k = 1; k <= n; k++)
+            result[i] += x[k] < x[i] ? 1 : x[k] == x[i] ? 0.5 : 0
+    }
+}
+
+# Rank correlation (Spearman)
+function rankCorrelation(x, y, n,    rx, ry)
+{
+    rank(x, n, rx); rank(y, n, ry)
+    return correlation(rx, ry, n)
+}
+
+function gauss() { return sqrt(-2*log(1 - rand()))*cos(6.283185307*rand()) }
+
+# Values of a column, of the paper or ours, for the runs that are done
+function take(q, result,    i)
+{
+    for (i = 1; i <= nDone; i++) result[i] = value[i, q]
+}
+
+# Scatter of a column between packings, as a share of its mean: pooled over the
+# runs that were repeated with other seeds; -1 without
+function scatter(q,    base, n, m, i, sum, freedom)
+{
+    for (base in repeats)
+    {
+        n = repeats[base]
+        if (n < 2) continue
+        m = 0
+        for (i = 1; i <= n; i++) m += repeated[base, i, q]/n
+        for (i = 1; i <= n; i++) sum += (repeated[base, i, q]/m - 1)^2
+        freedom += n - 1
+    }
+    return freedom ? sqrt(sum/freedom) : -1
+}
+
+# The interval that holds 90 % of the rank correlations when each run has
+# another packing
+function interval(q, x, y, s,    draw, i, k, z, rho, sorted, nDraws)
+{
+    nDraws = 400
+    for (draw = 1; draw <= nDraws; draw++)
+    {
+        for (i = 1; i <= nDone; i++) z[i] = x[i]*(1 + s*gauss())
+        rho = rankCorrelation(z, y, nDone)
+        for (k = draw; k > 1 && sorted[k - 1] > rho; k--)
+            sorted[k] = sorted[k - 1]
+        sorted[k] = rho
+    }
+    return sprintf("%.2f to %.2f", sorted[int(0.05*nDraws)], \
+        sorted[int(0.95*nDraws)])
+}
+
+function tell(check, quantity, number, wanted, unit)
+{
+    printf "%s,%s,%s,%s,%s\n", nDone == nRuns ? check : "reported", quantity, \
+        number, wanted, unit
+}
+
+function compare(q, bound,    i, x, y, all, off, constant, s, rho, m)
+{
+    take(q, x); take(q "Paper", y)
+    for (i = 1; i <= nRuns; i++) all[i] = whole[i, q "Paper"]
+    m = mean(all, nRuns)
+    for (i = 1; i <= nRuns; i++) constant += 100*abs(m/all[i] - 1)/nRuns
+    for (i = 1; i <= nDone; i++) off += 100*abs(x[i]/y[i] - 1)/nDone
+    rho = rankCorrelation(x, y, nDone)
+    s = scatter(q)
+
+    tell(bound ? "atMost" : "reported", q " - mean absolute difference", \
+        sprintf("%.3g", off), bound ? bound : "", "%")
+    tell("reported", q " - that of the paper's mean for every run", \
+        sprintf("%.3g", constant), "", "%")
+    tell("reported", q " - skill over that constant", \
+        sprintf("%.2f", 1 - off/constant), "", "")
+    tell(bound ? "atLeast" : "reported", q " - rank correlation", \
+        sprintf("%.3f", rho), bound ? 0.85 : "", "")
+    if (s >= 0)
+    {
+        tell("reported", q " - scatter between packings", \
+            sprintf("%.2g", 100*s), "", "%")
+        tell("reported", q " - rank correlation with other packings", \
+            interval(q, x, y, s), "", "")
+    }
+}
+
+function correlations(    n, name, i, k, x, y, xp, yp, ours, paper, wanted)
+{
+    n = split("Fr D M V H L Lc", name, " ")
+    wanted["D H"]; wanted["M L"]; wanted["M Lc"]; wanted["L Lc"]
+    print "first,second,ours,paper,difference" > matrix
+    for (i = 1; i <= n; i++)
+        for (k = 1; k <= n; k++)
+        {
+            take(name[i], x); take(name[k], y)
+            take(name[i] "Paper", xp); take(name[k] "Paper", yp)
+            ours = correlation(x, y, nDone)
+            paper = correlation(xp, yp, nDone)
+            printf "%s,%s,%.3f,%.3f,%.3f\n", name[i], name[k], ours, paper, \
+                ours - paper > matrix
+            if ((name[i] " " name[k]) in wanted)
+                tell("near", "correlation " name[i] "-" name[k], \
+                    sprintf("%.3f", ours), sprintf("%.3f", paper), "")
+        }
+}
+
+# Other seeds: <run>-seed2 and so on belong to <run>
+function readSeeds(    files, n, i, k, line, head, cell, m, base)
+{
+    n = split(rows, files, " ")
+    for (i = 1; i <= n; i++)
+    {
+        if ((getline line < files[i]) <= 0) continue
+        m = split(line, head, ",")
+        if ((getline line < files[i]) <= 0) continue
+        split(line, cell, ",")
+        base = cell[1]
+        sub(/-seed[0-9]$/, "", base)
+        if (base ~ /-(stiff|soft|shortStep|fineCells|coarseCells|ranks.)$/)
+            continue
+        repeats[base]++
+        for (k = 2; k <= m; k++) repeated[base, repeats[base], head[k]] = cell[k]
+    }
+}
+
+BEGIN { FS = ","; srand(1); readSeeds() }
+
+NR == 1 {
+    for (i = 1; i <= NF; i++) name[i] = $i
+    next
+}
+
+{
+    nRuns++
+    done = $2 == "done"
+    nDone += done
+    for (i = 3; i <= NF; i++)
+    {
+        whole[nRuns, name[i]] = $i
+        if (done) value[nDone, name[i]] = $i
+    }
+    if (done)
+        for (i = 3; i <= 5; i++) value[nDone, name[i] "Paper"] = $i
+}
+
+END {
+    tell("reported", "runs in the table", nDone " of " nRuns, "", "")
+    if (nDone < 3) exit
+    compare("H", 5); compare("L", 5); compare("Lc", 5); compare("U", 8)
+    compare("h", 0); compare("Fr", 0); compare("Ue", 0); compare("E", 0)
+    correlations()
+}

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The paper's results beside ours, a line for each run. A number of the paper's
+# table that follows from others is computed from them: Fr of Eq 12 and E of
+# Eq 15 from its M, U and h; its own Fr column, which does not agree with Eq 12,
+# and E with it are shown as printed. Differences are in % of the paper's value.
+#
+#   awk -v suffix=-slice -v states=FILE -f table.awk paper.csv rows...
+#
+# states: lines "<run> <what became of it>" for the runs without a row.
+
+BEGIN {
+    FS = ","
+    nColumns = split("Fr H L Lc U Ue h E", column, " ")
+    while ((getline line < states) > 0)
+    {
+        run = line
+        sub(/ .*/, "", run)
+        sub(/^[^ ]* /, "", line)
+        state[run] = line
+    }
+    g = 9.81
+    cosSlope = cos(20*atan2(0, -1)/180)
+}
+
+FNR == 1 {
+    delete name
+    for (i = 1; i <= NF; i++) name[i] = $i
+    isPaper = $2 == "Fr"
+    next
+}
+
+isPaper {
+    runs[++nRuns] = $1
+    for (i = 2; i <= NF; i++) paper[$1, name[i]] = $i
+    split($1, part, /[DMV]/)
+    D[$1] = part[2]/100; M[$1] = part[3]; V[$1] = part[4]/100
+    printed[$1] = $2
+    Fr = paper[$1, "U"]/sqrt(g*paper[$1, "h"]*cosSlope)
+    paper[$1, "Fr"] = Fr
+    paper[$1, "E"] = M[$1]*g*paper[$1, "h"]*(1 + Fr*Fr/2)
+    next
+}
+
+{
+    run = $1
+    if (suffix != "" && !sub(suffix "$", "", run)) next
+    if (!(run in M)) next
+    # A slice of a fifth of the width has a fifth of the mass and energy
+    scale = suffix == "" ? 1 : 5
+    state[run] = "done"
+    for (i = 2; i <= NF; i++) ours[run, name[i]] = $i
+    ours[run, "E"] *= scale
+}
+
+END {
+    printf "run,state,D,M,V,FrPrinted,EPrinted"
+    for (c = 1; c <= nColumns; c++)
+        printf ",%s,%sPaper,%sDifference", column[c], column[c], column[c]
+    print ",Fc,bouncing,creeping,netStart,netEnd,peakTime,hash,code"
+
+    for (r = 1; r <= nRuns; r++)
+    {
+        run = runs[r]
+        printf "%s,%s,%s,%s,%s,%s,%.4g", run, \
+            (run in state) ? state[run] : "not run", D[run], M[run], V[run], \
+            printed[run], M[run]*g*paper[run, "h"]*(1 + printed[run]^2/2)
+        for (c = 1; c <= nColumns; c++)
+        {
+            q = column[c]
+            there = (run, q) in ours
+            printf ",%s,%.4g,%s", there ? sprintf("%.4g", ours[run, q]) : "", \
+                paper[run, q], !there ? "" : \
+                sprintf("%.1f", 100*(ours[run, q]/paper[run, q] - 1))
+        }
+        n = split("Fc bouncing creeping netStart netEnd peakTime hash code", \
+            more, " ")
+        for (i = 1; i <= n; i++) printf ",%s", ours[run, more[i]]
+        print ""
+    }
+}
