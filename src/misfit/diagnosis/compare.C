@@ -52,7 +52,7 @@ void Foam::misfit::diagnosis::advise(const List<weighed>& rivals)
     List<computed> two;
     for (const weighed& w : rivals)
     {
-        if (two.size() < 2 && !w.what.isNone() && !w.what.unknown)
+        if (two.size() < 2 && !w.what.isNone() && !w.what.isOnlyUnknown())
         {
             two.append(lookUp(w));
         }

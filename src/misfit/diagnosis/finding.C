@@ -16,7 +16,7 @@ Foam::string Foam::misfit::told
     {
         return h.fault->told();
     }
-    if (h.unknown)
+    if (h.isOnlyUnknown())
     {
         return "unknown";
     }
@@ -24,6 +24,10 @@ Foam::string Foam::misfit::told
     for (const label m : h.mechanisms)
     {
         words += (words.empty() ? "" : " and ") + mechanisms[m];
+    }
+    if (h.unknown)
+    {
+        words += " and something unknown";
     }
     return words.empty() ? string("none") : words;
 }

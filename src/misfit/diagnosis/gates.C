@@ -105,7 +105,7 @@ Foam::misfit::gate Foam::misfit::diagnosis::gapGate() const
         const bool same =
             best().what.fault
           ? w.what.fault && w.what.fault->channel() == best().what.fault->channel()
-          : best().what.unknown ? w.what.unknown
+          : best().what.isOnlyUnknown() ? w.what.isOnlyUnknown()
           : w.what.mechanisms.size()
          && (contains(w.what, best().what) || contains(best().what, w.what));
         if (!same && w.score - best().score < lead)
@@ -148,16 +148,19 @@ Foam::misfit::gate Foam::misfit::diagnosis::heldOutGate
 ) const
 {
     const bool physics = best().what.mechanisms.size();
+    const scalar limit = max
+    (
+        h.squareBefore*(!physics ? 1.1 : best().what.unknown ? 0.5 : 1), 1.5
+    );
     return
     {
         name,
         "Mean square of the misfit at " + h.what + " (was "
       + number(h.squareBefore) + "), which was not used to find it",
         number(h.squareAfter),
-        physics
-      ? "below " + number(max(h.squareBefore, 1.5)) : string("not worse"),
-        !best().what.unknown && !best().what.isNone(),
-        h.squareAfter < max(h.squareBefore*(physics ? 1 : 1.1), 1.5)
+        "below " + number(limit),
+        !best().what.isOnlyUnknown() && !best().what.isNone(),
+        h.squareAfter < limit
     };
 }
 

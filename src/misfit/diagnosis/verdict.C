@@ -59,7 +59,7 @@ void Foam::misfit::diagnosis::judge(List<weighed>& near)
     for (const weighed& w : near)
     {
         faults += isFault(w);
-        if (w.what.unknown)
+        if (w.what.isOnlyUnknown())
         {
             found_.verdict = "unknown";
             return;
@@ -177,7 +177,7 @@ void Foam::misfit::diagnosis::confide()
         const bool counts =
             v == "none" ? w.what.isNone()
           : v == "sensor" || v == "registration" ? isFault(w)
-          : v == "unknown" ? w.what.unknown
+          : v == "unknown" ? w.what.isOnlyUnknown()
           : v == "set" ? w.score < best().score + settings_.gap
           : told(w.what, mechanismNames())
          == told(best().what, mechanismNames())

@@ -179,7 +179,7 @@ Foam::fileName Foam::misfit::nearestTimeFolder
     (
         timeFolders(caseFolder/"postProcessing"/functionObject)
     );
-    return std::min_element
+    const auto nearest = std::min_element
     (
         folders.begin(),
         folders.end(),
@@ -187,5 +187,14 @@ Foam::fileName Foam::misfit::nearestTimeFolder
         {
             return mag(a.first - t) < mag(b.first - t);
         }
-    )->second;
+    );
+    if (mag(nearest->first - t) > 0.01*mag(t) + 1e-6)
+    {
+        FatalErrorInFunction
+            << functionObject << " of " << caseFolder << " wrote nothing at "
+            << t << " s; the nearest is " << nearest->first
+            << " s. Let it write at the times of the channels"
+            << exit(FatalError);
+    }
+    return nearest->second;
 }

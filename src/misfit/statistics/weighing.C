@@ -99,7 +99,7 @@ Foam::misfit::mat Foam::misfit::weighing::unknownShape
 Foam::misfit::weighed
 Foam::misfit::weighing::weighUnknown(const weighed& base) const
 {
-    hypothesis h;
+    hypothesis h(base.what);
     h.unknown = true;
     weighed best;
     for (const scalar length : {0.03, 0.1, 0.3})
@@ -121,7 +121,23 @@ Foam::misfit::weighing::weighUnknown(const weighed& base) const
     }
     best.covariance =
         base.covariance + unknownShape(best.amplitude, best.length);
+    best.number = base.number;
+    best.score += best.number;
     return best;
+}
+
+
+void Foam::misfit::weighing::addPartly(List<weighed>& list) const
+{
+    List<weighed> partly;
+    for (const weighed& w : list)
+    {
+        if (w.what.mechanisms.size() && partly.size() < 4)
+        {
+            partly.append(weighUnknown(w));
+        }
+    }
+    list.append(partly);
 }
 
 
@@ -175,7 +191,10 @@ Foam::misfit::weighing::thoroughly(const weighed& quick) const
     weighed w(quick);
     if (w.what.unknown)
     {
-        w = weighUnknown(base());
+        hypothesis known(w.what);
+        known.unknown = false;
+        const weighed start(quickly(known, whitener(quick.covariance)));
+        w = weighUnknown(thoroughly(start));
     }
     else
     {
@@ -245,6 +264,8 @@ Foam::List<Foam::misfit::weighed> Foam::misfit::weighing::all
             w.covariance = none.covariance;
         }
     }
+    sortByScore(list);
+    addPartly(list);
     sortByScore(list);
     return list;
 }
