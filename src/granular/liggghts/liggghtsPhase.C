@@ -179,14 +179,14 @@ void Foam::liggghtsPhase::createGrains()
         liggghts_.command(os.str());
     }
 
-    const fileName state
+    // That of the first rank, wherever the file handler keeps it
+    fileName state
     (
-        mesh_.time().globalPath()
-       /(Pstream::parRun() ? "processor0" : "")
-       /mesh_.time().timeName()/stateFolder/"state"
+        fileHandler().filePath(mesh_.time().timePath()/stateFolder/"state")
     );
+    Pstream::scatter(state);
 
-    if (isFile(state))
+    if (state.size())
     {
         Info<< "    from " << state << endl;
         liggghts_.command("read_restart " + state);

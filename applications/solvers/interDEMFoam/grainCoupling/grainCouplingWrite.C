@@ -7,6 +7,7 @@
 #include "OSspecific.H"
 #include "Time.H"
 #include "grainSnapshot.H"
+#include "timeOnDisk.H"
 
 void Foam::grainCoupling::writeActivePhysics() const
 {
@@ -74,12 +75,9 @@ bool Foam::grainCoupling::write()
 
     const bool cloudComplete = writeCloud();
 
-    const fileName folder
-    (
-        mesh_.time().globalPath()
-       /(Pstream::parRun() ? "processor0" : "")
-       /mesh_.time().timeName()/granularPhase::stateFolder
-    );
+    // One state of all ranks, with the files of the first
+    fileName folder(timeOnDisk(mesh_.time())/granularPhase::stateFolder);
+    Pstream::scatter(folder);
     if (Pstream::master())
     {
         mkDir(folder);
