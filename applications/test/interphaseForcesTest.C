@@ -271,6 +271,60 @@ TEST(coarseGraining, withoutItAParcelIsOneLargeGrain)
 }
 
 
+TEST(coarseGraining, parcelsThatPassEachOtherFeelDragOverNSquared)
+{
+    constexpr scalar d = 0.004;
+    const vector v(0.01, 0, 0);
+
+    for (const label N : {1, 2, 4})
+    {
+        testMesh box;
+        const fvMesh& mesh = box.mesh();
+        standingGrains phase(mesh);
+        put(phase, pointField(2, point(0.4, 0.4, 0.4)), N*d);
+        phase.grains.U[0] = v;
+        phase.grains.U[1] = -v;
+
+        grainExchange exchange(mesh);
+        exchange.locate(phase);
+        porosity pores
+        (
+            exchange, entries("model centre; smoothing { model none; }")
+        );
+        pores.update();
+
+        interphaseForces forces
+        (
+            exchange,
+            pores,
+            entries("drag { model SchillerNaumann; }"),
+            Zero,
+            N,
+            true
+        );
+        const vectorField rest(mesh.nCells(), Zero);
+        fluidFields fluid(water(mesh.nCells()));
+        fluid.U = rest;
+        fluid.convection = rest;
+        forces.prepare(fluid, interval);
+        forces.finish(fluidMeans{rest, rest, rest, rest});
+
+        // Stokes: the mean slip is none. Of the N^3 grains' drag 1/N^2, with
+        // the velocity at the end of the interval; one grain has all of its own
+        const scalar Re = rhoWater*mag(v)*d/muWater;
+        const scalar stokes = 3*constant::mathematical::pi*muWater*d;
+        const scalar K =
+            N == 1 ? stokes*(1 + 0.15*Foam::pow(Re, 0.687)) : N*stokes;
+        const scalar m = phase.grains.mass[0];
+        const vector exact(-K*m/(m + K*interval)*v);
+
+        EXPECT_LT(mag(forces.force()[0] - exact), 1e-9*mag(exact)) << N;
+        EXPECT_LT(mag(forces.force()[1] + exact), 1e-9*mag(exact)) << N;
+        EXPECT_LT(mag(sum(forces.force())), 1e-12*mag(exact)) << N;
+    }
+}
+
+
 TEST(viscousForce, isVolumeTimesTheDivergenceOfTheStress)
 {
     constexpr scalar d = 0.05;
