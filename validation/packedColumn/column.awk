@@ -50,7 +50,8 @@ function sum(what, U,    i, total)
     return total
 }
 
-function weight() { return sum("solid")*(rhoS - rho)*gravity }
+# That share of the weight under water counts
+function weight() { return share*sum("solid")*(rhoS - rho)*gravity }
 
 function lifting(    low, high, middle, i)
 {
