@@ -14,7 +14,7 @@ Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
             "FoamFile", "commands", "files", "ranks", "jobs", "timeLimit",
             "experiments", "channels", "heldOut", "samples", "parameters",
             "candidates", "packing", "packings", "common", "resolution",
-            "bank", "trigger", "faults", "decision", "draws", "seed"
+            "bank", "trigger", "faults", "decision", "draws", "seed", "shared"
         }
     );
 
