@@ -11,6 +11,8 @@
 #include "pimpleControl.H"
 #include "fvOptions.H"
 #include "CorrectPhi.H"
+#include "firstRankFirst.H"
+#include "fpeGuard.H"
 #include "grainCoupling.H"
 #include "slidingGate.H"
 #include "solverChecks.H"
@@ -45,10 +47,10 @@ int main(int argc, char *argv[])
 
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"
+    const firstRankFirst errors;
     timeFolders::putIncompleteAside(args);
     #include "createTime.H"
     #include "createMesh.H"
-    checkEuler(mesh);
 
     pimpleControl pimple(mesh);
     #include "initContinuityErrs.H"

@@ -60,8 +60,9 @@ void Foam::grainExchange::outside(const granularPhase& phase, const label i)
             << mesh_.time().timeName() << " s." << nl
             << "    The mesh is " << mesh_.bounds() << nl
             << "    If grains pass a wall: shorten the DEM step or make the"
-            << " grains stiffer. If they start outside: see the initial"
-            << " script. If they may leave: name the patches in"
+            << " grains stiffer. If they start outside: place them in the"
+            << " initial script, in metres. If they may leave: name the"
+            << " patches in"
             << " LIGGGHTS/outflow of constant/granularProperties."
             << exit(FatalError);
     }

@@ -25,6 +25,7 @@ namespace
     // What showWhyItStopped() needs after main() has ended
     std::string logPath;
     std::string busyWith;
+    std::string hint;
     const Foam::lastWords* heard = nullptr;
 
     //- Write what LIGGGHTS was doing and its last words, where it ended the
@@ -43,9 +44,15 @@ namespace
         for (const std::string& line : heard->lines())
         {
             std::cerr << "    " << line << '\n';
+
+            // What LIGGGHTS 3.8 adds to an error is read from freed memory
+            if (line.compare(0, 5, "ERROR") == 0)
+            {
+                break;
+            }
         }
 
-        std::cerr << std::flush;
+        std::cerr << hint << '\n' << std::flush;
         busyWith.clear();
     }
 
@@ -61,9 +68,14 @@ namespace
     //- Names what LIGGGHTS is doing while it does it
     struct nowDoing
     {
-        explicit nowDoing(const std::string& what)
+        explicit nowDoing
+        (
+            const std::string& what,
+            const std::string& whatToDo = std::string()
+        )
         {
             busyWith = what;
+            hint = whatToDo;
         }
 
         ~nowDoing()
@@ -164,7 +176,11 @@ void Foam::liggghtsInstance::script
 )
 {
     const fpeGuard guard;
-    const nowDoing now("the script " + file);
+    const nowDoing now
+    (
+        "the script " + file,
+        "Mend the last command above in that script."
+    );
 
     const fileName before(cwd());
     chDir(caseFolder);

@@ -64,8 +64,6 @@ Foam::grainCoupling::grainCoupling(const fvMesh& mesh, const vector& g)
         )
     );
 
-    writeActivePhysics();
-
     locateGrains();
     // In a surge soft grains dent deeper than a packing may
     if (!phase_->restarted())
@@ -112,6 +110,7 @@ void Foam::grainCoupling::start
     const vectorField& U
 )
 {
+    writeActivePhysics();
     resetSums(U);
     elapsed_ = phase_->exchangeInterval();
 

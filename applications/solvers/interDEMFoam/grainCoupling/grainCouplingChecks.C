@@ -69,12 +69,13 @@ void Foam::grainCoupling::checkWalls() const
     }
 
     const scalar deepestOfAll = returnReduce(deepest, maxOp<scalar>());
+    reduce(nIn, sumOp<label>());
 
     if (deepestOfAll > 0 && deepest == deepestOfAll)
     {
         FatalErrorInFunction
             << "Grains overlap the walls at the start, " << nIn
-            << " on this rank by more than a tenth of their radius." << nl
+            << " of them by more than a tenth of their radius." << nl
             << "    The deepest is grain " << deepestId << " at " << deepestAt
             << " m, " << deepest << " m into the wall." << nl
             << "    Move the grains in the initial script, or take the patch"
@@ -134,5 +135,22 @@ void Foam::grainCoupling::checkWriting(const Time& runTime) const
                 << nl << "    Make it a whole number of them."
                 << exit(FatalIOError);
         }
+    }
+}
+
+
+void Foam::grainCoupling::checkStep(const Time& runTime) const
+{
+    const scalar deltaT = runTime.deltaTValue();
+    const scalar fitting = fluidStep(deltaT);
+
+    if (mag(fitting - deltaT) > 1e-6*deltaT)
+    {
+        FatalIOErrorInFunction(runTime.controlDict())
+            << "deltaT " << deltaT << " s does not fit the exchange interval"
+            << " of " << phase_->exchangeInterval() << " s: a whole number of"
+            << " fluid steps would be " << fitting << " s long." << nl
+            << "    Give that as deltaT, or adjustTimeStep yes."
+            << exit(FatalIOError);
     }
 }
