@@ -57,6 +57,19 @@ void Foam::misfit::diagnosis::refit()
     }
     Info<< "S6 refit" << endl;
     List<weighed>& all = found_.explanations;
+
+    // The first run of each, side by side; the passes find them done
+    List<vec> first;
+    forAll(all, i)
+    {
+        if (i < settings_.refit || all[i].what.isNone())
+        {
+            const hypothesisModel model(fit_->surface(), bounds_, all[i].what);
+            first.append(model.expand(all[i].best.x));
+        }
+    }
+    means(first);
+
     const auto order = [](const weighed& a, const weighed& b)
     {
         return a.score < b.score;

@@ -185,11 +185,13 @@ void Foam::misfit::samples::divide(const scalar n)
 Foam::misfit::predictedSampler::predictedSampler
 (
     const recordings& all,
-    predictor& p
+    predictor& p,
+    const List<runState>& bank
 )
 :
     recordings_(all),
-    predictor_(p)
+    predictor_(p),
+    bank_(bank)
 {
     wordList names(all.experiments(purpose::fit));
     names.append(all.experiments(purpose::gate));

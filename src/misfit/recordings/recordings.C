@@ -130,18 +130,6 @@ Foam::misfit::recordings::recordings
         }
     }
     checkOnce(dict);
-
-    label toFit = 0;
-    for (const word& name : experiments(purpose::fit))
-    {
-        toFit += select(name, purpose::fit).size();
-    }
-    if (!toFit)
-    {
-        FatalIOErrorInFunction(dict)
-            << "No recorded channel is left to fit: all are held out, or have"
-            << " no file" << exit(FatalIOError);
-    }
 }
 
 
@@ -198,6 +186,12 @@ void Foam::misfit::recordings::checkEnough
     for (const channel& c : channels_)
     {
         samples += c.use() == purpose::fit ? c.size() : 0;
+    }
+    if (!samples)
+    {
+        FatalIOErrorInFunction(dict)
+            << "No recorded channel is left to fit: all are held out, or have"
+            << " no file" << exit(FatalIOError);
     }
     if (samples < unknowns)
     {

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Makes, diagnoses and scores cases whose cause is concealed.
+
+#include "concealedSet.H"
+
+#include "argList.H"
+#include "OSspecific.H"
+#include "UPstream.H"
+
+#include <random>
+
+int main(int argc, char* argv[])
+{
+    using namespace Foam;
+    using namespace Foam::misfit;
+
+    argList::addNote
+    (
+        "Make, diagnose and score cases whose cause is concealed. Started in"
+        " the folder of the slice. See validation/concealed/README.md."
+    );
+    argList::noParallel();
+    argList::noFunctionObjects();
+    argList::addOption("folder", "dir", "Of the cases");
+    argList::addOption("make", "n", "Make so many cases and their key");
+    argList::addOption("seed", "number", "For make; secret if not given");
+    argList::addBoolOption("diagnose", "Diagnose all cases in the folder");
+    argList::addBoolOption("score", "Score the verdicts against the key");
+    argList::addBoolOption("solver", "Each state by the solver, not the bank");
+
+    UPstream::initNull();
+    const argList args(argc, argv);
+    const fileName slice(args.path());
+    const fileName folder(args.get<fileName>("folder"));
+    const bool solver = args.found("solver");
+    mkDir(folder);
+
+    if (args.found("make"))
+    {
+        concealedSide truth(slice, "truthDict", 1, solver);
+        const label seed =
+            args.lookupOrDefault<label>("seed", label(std::random_device()() >> 1));
+        makeCases(truth, folder, args.get<label>("make"), seed);
+    }
+    if (args.found("diagnose"))
+    {
+        concealedSide library(slice, "misfitDict", 0, solver);
+        diagnoseCases(library, folder);
+    }
+    if (args.found("score"))
+    {
+        scoreCases(folder);
+    }
+    return 0;
+}
