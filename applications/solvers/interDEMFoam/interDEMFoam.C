@@ -11,6 +11,7 @@
 #include "pimpleControl.H"
 #include "fvOptions.H"
 #include "CorrectPhi.H"
+#include "fixedFluxPressureFvPatchScalarField.H"
 #include "firstRankFirst.H"
 #include "fpeGuard.H"
 #include "grainCoupling.H"
