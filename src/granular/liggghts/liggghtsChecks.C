@@ -14,6 +14,7 @@
 #include <liggghts/domain.h>
 #include <liggghts/fix.h>
 #include <liggghts/fix_mesh_surface.h>
+#include <liggghts/fix_template_sphere.h>
 #include <liggghts/lammps.h>
 #include <liggghts/modify.h>
 #include <liggghts/tri_mesh.h>
@@ -89,6 +90,58 @@ namespace
         }
 
         return false;
+    }
+
+    //- Shortest Rayleigh time of the grains that are there and of those that
+    //  the script may insert [s]; GREAT for none
+    scalar shortestRayleighTime
+    (
+        liggghtsInstance& liggghts,
+        LAMMPS_NS::Fix& young,
+        LAMMPS_NS::Fix& poisson
+    )
+    {
+        const LAMMPS_NS::Atom& atom = *liggghts->atom;
+        const LAMMPS_NS::Modify& modify = *liggghts->modify;
+        scalar shortest = GREAT;
+
+        const auto look = [&](scalar radius, scalar density, label type)
+        {
+            shortest = min
+            (
+                shortest,
+                liggghtsChecks::rayleighTime
+                (
+                    radius,
+                    density,
+                    young.compute_vector(type - 1),
+                    poisson.compute_vector(type - 1)
+                )
+            );
+        };
+
+        for (label i = 0; i < atom.nlocal; ++i)
+        {
+            look(atom.radius[i], atom.density[i], atom.type[i]);
+        }
+
+        for (label i = 0; i < modify.nfix; ++i)
+        {
+            auto* sizes =
+                dynamic_cast<LAMMPS_NS::FixTemplateSphere*>(modify.fix[i]);
+
+            if (sizes)
+            {
+                look
+                (
+                    sizes->min_rad(),
+                    sizes->massexpect()/sizes->volexpect(),
+                    sizes->mintype()
+                );
+            }
+        }
+
+        return returnReduce(shortest, minOp<scalar>());
     }
 }
 
@@ -293,9 +346,8 @@ void Foam::liggghtsChecks::timeStep
             << " Rayleigh time." << exit(FatalError);
     }
 
-    LAMMPS_NS::Atom& atom = *liggghts->atom;
     LAMMPS_NS::Modify& modify = *liggghts->modify;
-    const int nTypes = atom.ntypes;
+    const int nTypes = liggghts->atom->ntypes;
 
     LAMMPS_NS::Fix* young = modify.find_fix_property
     (
@@ -316,24 +368,7 @@ void Foam::liggghtsChecks::timeStep
         return;
     }
 
-    scalar shortest = GREAT;
-    for (label i = 0; i < atom.nlocal; ++i)
-    {
-        const label type = atom.type[i] - 1;
-
-        shortest = min
-        (
-            shortest,
-            rayleighTime
-            (
-                atom.radius[i],
-                atom.density[i],
-                young->compute_vector(type),
-                poisson->compute_vector(type)
-            )
-        );
-    }
-    reduce(shortest, minOp<scalar>());
+    const scalar shortest = shortestRayleighTime(liggghts, *young, *poisson);
 
     const scalar fraction = update.dt/shortest;
 
