@@ -15,7 +15,7 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
-dictionary read(const fileName& file)
+dictionary readDictionary(const fileName& file)
 {
     IFstream is(file);
     return dictionary(is);
@@ -96,7 +96,7 @@ Foam::misfit::concealedSide::concealedSide
     const bool useSolver
 )
 :
-    dict_(read(slice/"system"/dictName)),
+    dict_(readDictionary(slice/"system"/dictName)),
     bare_(dict_, slice),
     solver_(bare_, slice, dict_),
     useSolver_(useSolver)

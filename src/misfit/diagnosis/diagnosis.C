@@ -287,16 +287,7 @@ void Foam::misfit::diagnosis::detect()
 
     Info<< "S2 detection" << endl;
     found_.detection = look(*fit_, base);
-    for (const window& w : found_.detection.windows)
-    {
-        if (found_.detection.p < settings_.significance)
-        {
-            found_.located.append
-            (
-                told(w, fit_->data(), fit_->data().y - base.best.f)
-            );
-        }
-    }
+    locate(fit_->data().y - base.best.f);
     found_.data = fit_->data();
     found_.sigma = base.covariance.diagonal().cwiseSqrt();
     screen(base);
@@ -304,6 +295,31 @@ void Foam::misfit::diagnosis::detect()
     {
         signatureRuns(base);
     }
+}
+
+
+void Foam::misfit::diagnosis::locate(const vec& misfit)
+{
+    // Windows of what earlier ones leave may mean nothing by themselves
+    List<window> clear;
+    for (const window& w : found_.detection.windows)
+    {
+        const label first = fit_->data().segments[w.segment].first;
+        const scalar mean = misfit.segment(first + w.begin, w.end - w.begin).mean();
+        bool isNew = mean*w.size > 0;
+        for (const window& c : clear)
+        {
+            const label both = min(c.end, w.end) - max(c.begin, w.begin);
+            isNew =
+                isNew && !(c.segment == w.segment && 2*both > w.end - w.begin);
+        }
+        if (isNew && found_.detection.p < settings_.significance)
+        {
+            clear.append(w);
+            found_.located.append(told(w, fit_->data(), misfit));
+        }
+    }
+    found_.detection.windows = clear;
 }
 
 

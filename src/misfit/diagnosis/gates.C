@@ -165,7 +165,8 @@ Foam::misfit::gate Foam::misfit::diagnosis::heldOutGate
 }
 
 
-bool Foam::misfit::diagnosis::isStable(const label segment) const
+Foam::List<Foam::label>
+Foam::misfit::diagnosis::winnersWithout(const label segment) const
 {
     const auto rest(fit_->without(segment, width_));
     const wordList names(mechanismNames());
@@ -195,14 +196,14 @@ bool Foam::misfit::diagnosis::isStable(const label segment) const
          && !contains(w.what, best().what) && !contains(best().what, w.what);
         if (other && told(w.what, names) != here && w.score < own - settings_.gap)
         {
-            return false;
+            return w.what.mechanisms;
         }
     }
-    return true;
+    return best().what.mechanisms;
 }
 
 
-Foam::misfit::gate Foam::misfit::diagnosis::stabilityGate() const
+Foam::misfit::gate Foam::misfit::diagnosis::stabilityGate()
 {
     const List<segment>& channels = fit_->data().segments;
     label held = 0;
@@ -210,14 +211,29 @@ Foam::misfit::gate Foam::misfit::diagnosis::stabilityGate() const
     string lost;
     const bool applies =
         channels.size() > 1 && best().what.mechanisms.size();
+    stable_ = best().what.mechanisms;
     forAll(channels, i)
     {
         if (applies)
         {
+            const List<label> winners(winnersWithout(i));
+            const bool stable = winners == best().what.mechanisms;
             ++asked;
-            const bool stable = isStable(i);
             held += stable;
             lost += stable ? "" : " " + channels[i].name;
+            labelList both;
+            for (const label m : winners)
+            {
+                if (stable_.found(m))
+                {
+                    both.append(m);
+                }
+                if (!best().what.mechanisms.found(m))
+                {
+                    winners_.append(mechanismNames()[m]);
+                }
+            }
+            stable_ = both;
         }
     }
     return

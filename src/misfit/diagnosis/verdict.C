@@ -100,6 +100,24 @@ void Foam::misfit::diagnosis::judge(List<weighed>& near)
 }
 
 
+void Foam::misfit::diagnosis::weaken()
+{
+    // What wins without a channel, too, has some of it: that much is sure
+    if (stable_.size())
+    {
+        found_.names.clear();
+        for (const label m : stable_)
+        {
+            found_.names.append(mechanismNames()[m]);
+        }
+        partly_ = true;
+        return;
+    }
+    found_.verdict = "set";
+    found_.names.append(winners_);
+}
+
+
 void Foam::misfit::diagnosis::decide()
 {
     setProbabilities(found_.explanations, settings_.temperature);
@@ -120,7 +138,7 @@ void Foam::misfit::diagnosis::decide()
         }
         else if (found_.verdict == "named" && !passed("stability"))
         {
-            found_.verdict = "set";
+            weaken();
         }
     }
     if (found_.verdict == "unknown")
@@ -227,6 +245,8 @@ void Foam::misfit::diagnosis::describe()
     }
     else
     {
+        const bool rest =
+            v == "named" && (partly_ || best().what.unknown);
         os << (v == "named" ? "Left out: " : "Left out is one of these, which"
             " these channels cannot tell apart: ")
             << inWords(found_.names, v == "named" ? "and" : "or").c_str();
@@ -242,7 +262,8 @@ void Foam::misfit::diagnosis::describe()
                 os << " +- " << 2*s.deviation << " (95 %)";
             }
         }
-        os << '.';
+        os << (rest ? ". There is more to it, which these channels do not settle."
+            : ".");
     }
     found_.told = os.str();
 }
