@@ -16,7 +16,9 @@ Foam::grainCoupling::grainCoupling(const fvMesh& mesh, const vector& g)
 :
     mesh_(mesh),
     g_(g),
-    elapsed_(0)
+    elapsed_(0),
+    nEntered_(0),
+    warnedOf_(0)
 {
     if (!moving)
     {
@@ -139,6 +141,12 @@ void Foam::grainCoupling::locateGrains()
 {
     const stageTimes::stage stage(times_, "locateGrains");
     exchange_->locate(*phase_);
+
+    if (phase_->nEntered() > nEntered_)
+    {
+        nEntered_ = phase_->nEntered();
+        checkRegime();
+    }
 }
 
 

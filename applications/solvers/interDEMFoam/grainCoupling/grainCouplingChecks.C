@@ -6,7 +6,7 @@
 #include "Time.H"
 #include "wallPolyPatch.H"
 
-void Foam::grainCoupling::checkRegime() const
+void Foam::grainCoupling::checkRegime()
 {
     scalar largest = 0;
     for (const locatedGrain& grain : exchange_->grains())
@@ -17,8 +17,9 @@ void Foam::grainCoupling::checkRegime() const
 
     const scalar cell = cbrt(gMin(mesh_.V()));
 
-    if (largest > cell)
+    if (largest > max(cell, warnedOf_))
     {
+        warnedOf_ = largest;
         WarningInFunction
             << "Grains of " << largest << " m are larger than the smallest"
             << " cell, " << cell << " m (cube root of its volume)." << nl
