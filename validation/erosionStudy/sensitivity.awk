@@ -29,7 +29,7 @@ END {
     {
         base = order[r]
         varied = "nothing"
-        if (match(base, /-(seed[0-9]|stiff|soft|shortStep|fineCells|coarseCells|ranks[0-9])$/))
+        if (match(base, /-(seed[0-9]|stiff|soft|shortStep|fineCells|coarseCells|ranks[0-9]|rolling[0-9]+|noSlip|asPrinted)$/))
         {
             varied = substr(base, RSTART + 1)
             base = substr(base, 1, RSTART - 1)

@@ -152,8 +152,7 @@ function readSeeds(    files, n, i, k, line, head, cell, m, base)
         split(line, cell, ",")
         base = cell[1]
         sub(/-seed[0-9]$/, "", base)
-        if (base ~ /-(stiff|soft|shortStep|fineCells|coarseCells|ranks.)$/)
-            continue
+        if (base !~ /^D[0-9]M[0-9]+V[0-9]+(-slice)?$/) continue
         repeats[base]++
         for (k = 2; k <= m; k++) repeated[base, repeats[base], head[k]] = cell[k]
     }
