@@ -123,7 +123,22 @@ bool Foam::functionObjects::flumeFunctionObject::passOver
 
     for (const word& name : fields)
     {
-        if (name != "none" && !hasField<volScalarField>(name))
+        IOobject io
+        (
+            name,
+            mesh_.time().timeName(),
+            mesh_,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        );
+
+        // Of any class
+        const bool there =
+            mesh_.foundObject<regIOobject>(name)
+         || io.typeHeaderOk<volScalarField>(false);
+
+        if (name != "none" && !there)
         {
             Info<< type() << " " << this->name() << ": time "
                 << mesh_.time().timeName() << " is passed over, it has no "

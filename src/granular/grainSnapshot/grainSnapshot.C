@@ -168,13 +168,20 @@ wordList wallsOnDisk(const fvMesh& mesh)
 {
     DynamicList<word> walls;
 
+    // Collated files are in the folder of all ranks. No folder: no grain here
     const fileName folder
     (
-        mesh.time().path()/mesh.time().timeName()
-       /mesh.dbDir()/cloudFolder()
+        fileHandler().filePath
+        (
+            mesh.time().timePath()/mesh.dbDir()/cloudFolder()
+        )
     );
 
-    for (const fileName& name : readDir(folder, fileName::FILE))
+    for
+    (
+        const fileName& name
+      : folder.empty() ? fileNameList() : readDir(folder, fileName::FILE)
+    )
     {
         if (name.starts_with(wallPrefix))
         {
