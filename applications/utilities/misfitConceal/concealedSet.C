@@ -96,7 +96,7 @@ Foam::misfit::concealedSide::concealedSide
     const bool useSolver
 )
 :
-    dict_(readDictionary(slice/"system"/dictName)),
+    dict_(readDictionary(slice/"sides"/dictName)),
     bare_(dict_, slice),
     solver_(bare_, slice, dict_),
     useSolver_(useSolver)

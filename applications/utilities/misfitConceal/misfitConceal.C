@@ -44,7 +44,7 @@ int main(int argc, char* argv[])
     }
     if (args.found("diagnose"))
     {
-        concealedSide library(slice, "misfitDict", 0, solver);
+        concealedSide library(slice, "libraryDict", 0, solver);
         diagnoseCases(library, folder);
     }
     if (args.found("score"))

@@ -304,9 +304,12 @@ void Foam::misfit::diagnosis::locate(const vec& misfit)
     List<window> clear;
     for (const window& w : found_.detection.windows)
     {
-        const label first = fit_->data().segments[w.segment].first;
-        const scalar mean = misfit.segment(first + w.begin, w.end - w.begin).mean();
-        bool isNew = mean*w.size > 0;
+        const segment& s = fit_->data().segments[w.segment];
+        const vec y = s.of(fit_->data().y);
+        const scalar mean =
+            misfit.segment(s.first + w.begin, w.end - w.begin).mean();
+        bool isNew =
+            mean*w.size > 0 && mag(mean) > 0.01*(y.maxCoeff() - y.minCoeff());
         for (const window& c : clear)
         {
             const label both = min(c.end, w.end) - max(c.begin, w.begin);

@@ -37,39 +37,54 @@ void writeSeries
 }
 
 
+std::string unitOf(const word& quantity)
+{
+    return
+        quantity == "length" ? "[m]"
+      : quantity == "pressure" ? "[Pa]"
+      : quantity == "velocity" ? "[m/s]"
+      : quantity == "force" ? "[N]"
+      : quantity == "mass" ? "[kg]"
+      : quantity == "flowRate" ? "[m3/s]" : "";
+}
+
+
 //- A picture of the channels of a file, in columns
 std::string seriesPlot
 (
     const stacked& data,
     const std::string& file,
-    const std::string& after
+    const bool found
 )
 {
     const label n = data.segments.size();
     const label columns = n < 2 ? 1 : n < 5 ? 2 : 3;
     const label rows = (n + columns - 1)/columns;
     std::ostringstream os;
-    os  << "set terminal pngcairo size " << 1100 << ',' << 60 + 270*rows
+    os  << "set terminal pngcairo size " << 1100 << ',' << 80 + 270*rows
         << " noenhanced font ',11'\n"
         << "set output '" << file << ".png'\n"
-        << "set multiplot layout " << rows << ',' << columns << "\n"
-        << "set style fill transparent solid 0.35 noborder\n";
+        << "set multiplot layout " << rows << ',' << columns
+        << " title 'points: recorded; grey: uncertain (2 sigma); blue, dashed:"
+        << " calibrated base" << (found ? "; red: with what was found" : "")
+        << "'\n"
+        << "set style fill transparent solid 0.35 noborder; unset key\n";
     for (label i = 0; i < n; ++i)
     {
         const segment& s = data.segments[i];
         os  << "set title '" << s.name << " (" << s.quantity << ")'\n"
             << "set xlabel '" << (s.overTime ? "time [s]" : "distance [m]")
-            << "'\n" << (i ? "unset key\n" : "set key\n") << "plot '" << file
+            << "'\nset ylabel '" << unitOf(s.quantity) << "'\nplot '" << file
             << ".dat' index " << i << " using 1:($2-2*$3):($2+2*$3) with"
-            << " filledcurves linecolor 'gray' title 'uncertain (2 sigma)',"
+            << " filledcurves linecolor 'gray',"
             << " '' index " << i << " using 1:2 with points pointtype 7"
-            << " pointsize 0.5 linecolor 'black' title 'recorded',"
+            << " pointsize 0.5 linecolor 'black',"
             << " '' index " << i << " using 1:4 with lines linewidth 2"
-            << " dashtype 2 linecolor 'blue' title 'calibrated base'";
-        if (after.size())
+            << " dashtype 2 linecolor 'blue'";
+        if (found)
         {
             os  << ", '' index " << i << " using 1:5 with lines linewidth 2"
-                << " linecolor 'red' title '" << after << "'";
+                << " linecolor 'red'";
         }
         os << '\n';
     }
@@ -152,7 +167,6 @@ Foam::List<Foam::fileName> Foam::misfit::drawFigures
 {
     mkDir(folder);
     const bool found = f.verdict != "none" && f.verdict != "unknown";
-    const std::string after = found ? "with what was found" : "";
     List<std::string> names;
     const auto script = [&](const std::string& name, const std::string& text)
     {
@@ -165,10 +179,10 @@ Foam::List<Foam::fileName> Foam::misfit::drawFigures
         const heldOut& h = f.held[i];
         const std::string name("heldOut" + std::to_string(i + 1));
         writeSeries(folder/name + ".dat", h.data, h.sigma, h.before, h.after);
-        script(name, seriesPlot(h.data, name, after));
+        script(name, seriesPlot(h.data, name, found));
     }
     writeSeries(folder/"fitted.dat", f.data, f.sigma, f.before, f.after);
-    script("fitted", seriesPlot(f.data, "fitted", after));
+    script("fitted", seriesPlot(f.data, "fitted", found));
 
     label row = 0;
     std::ostringstream rows;
