@@ -436,6 +436,7 @@ const Foam::misfit::finding& Foam::misfit::diagnosis::operator()()
     detect();
     explain();
     refit();
+    prefer();
     compare(baseline());
     Info<< "S7 gates" << endl;
     askGates();

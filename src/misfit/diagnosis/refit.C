@@ -146,12 +146,24 @@ const Foam::misfit::weighed& Foam::misfit::diagnosis::baseline() const
 }
 
 
+Foam::scalar Foam::misfit::diagnosis::lowestScore() const
+{
+    scalar lowest = GREAT;
+    for (const weighed& w : found_.explanations)
+    {
+        lowest = min(lowest, w.score);
+    }
+    return lowest;
+}
+
+
 Foam::List<Foam::misfit::weighed> Foam::misfit::diagnosis::rivals() const
 {
+    const scalar lowest = lowestScore();
     List<weighed> near;
     for (const weighed& w : found_.explanations)
     {
-        if (w.score < best().score + settings_.gap)
+        if (w.score < lowest + settings_.gap)
         {
             near.append(w);
         }

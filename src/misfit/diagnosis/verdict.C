@@ -52,6 +52,22 @@ string inWords(const wordList& list, const string& last)
 } // End anonymous namespace
 
 
+void Foam::misfit::diagnosis::prefer()
+{
+    // What all rivals have on is the answer, if that alone is one of them
+    const List<weighed> near(rivals());
+    const List<label> core(common(near));
+    forAll(near, i)
+    {
+        if (core.size() && near[i].what.mechanisms.size() == core.size())
+        {
+            std::swap(found_.explanations[i], found_.explanations[0]);
+            return;
+        }
+    }
+}
+
+
 void Foam::misfit::diagnosis::judge(List<weighed>& near)
 {
     const wordList names(mechanismNames());
@@ -74,16 +90,11 @@ void Foam::misfit::diagnosis::judge(List<weighed>& near)
         return;
     }
 
-    // What all have on is named, if that alone is one of them
     const List<label> core(common(near));
-    forAll(near, i)
+    for (const weighed& w : near)
     {
-        if (core.size() && near[i].what.mechanisms.size() == core.size())
+        if (core.size() && w.what.mechanisms.size() == core.size())
         {
-            if (i)
-            {
-                std::swap(found_.explanations[i], found_.explanations[0]);
-            }
             for (const label m : core)
             {
                 found_.names.append(names[m]);
@@ -188,6 +199,7 @@ void Foam::misfit::diagnosis::setPosterior()
 
 void Foam::misfit::diagnosis::confide()
 {
+    const scalar lowest = lowestScore();
     scalar sum = 0;
     for (const weighed& w : found_.explanations)
     {
@@ -196,7 +208,7 @@ void Foam::misfit::diagnosis::confide()
             v == "none" ? w.what.isNone()
           : v == "sensor" || v == "registration" ? isFault(w)
           : v == "unknown" ? w.what.isOnlyUnknown()
-          : v == "set" ? w.score < best().score + settings_.gap
+          : v == "set" ? w.score < lowest + settings_.gap
           : told(w.what, mechanismNames())
          == told(best().what, mechanismNames())
          || (

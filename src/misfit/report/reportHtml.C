@@ -5,6 +5,8 @@
 
 #include "base64Layer.H"
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -89,6 +91,17 @@ std::string percent(const scalar share)
 }
 
 
+std::string channels(const heldOut& h)
+{
+    std::string names;
+    for (const segment& s : h.data.segments)
+    {
+        names += (names.empty() ? "" : " ") + s.name;
+    }
+    return names;
+}
+
+
 std::string verdict(const finding& f)
 {
     std::string text
@@ -103,7 +116,7 @@ std::string verdict(const finding& f)
             const scalar removed =
                 (h.squareBefore - h.squareAfter)/(h.squareBefore - 1);
             text +=
-                "<br>At " + escaped(h.what) + ", not used to find it, "
+                "<br>At " + escaped(h.what + " (" + channels(h) + ")") + ", not used to find it, "
               + percent(min(removed, 1.0)) + " of the misfit is gone"
                 " (mean square over what is uncertain: from "
               + shortNumber(h.squareBefore) + " to "
@@ -160,14 +173,23 @@ std::string calibration(const finding& f)
 std::string explanations(const finding& f, const wordList& names)
 {
     std::vector<row> rows;
-    for (const weighed& w : f.explanations)
+    const std::string answer = told(f.explanations.first().what, names);
+    List<weighed> list(f.explanations);
+    std::sort
+    (
+        list.begin(),
+        list.end(),
+        [](const weighed& a, const weighed& b) { return a.score < b.score; }
+    );
+    for (const weighed& w : list)
     {
+        const std::string name = told(w.what, names);
         if (rows.size() < 8)
         {
             rows.push_back
             ({
-                told(w.what, names),
-                shortNumber(w.score - f.explanations.first().score),
+                name + (name == answer ? " (judged below)" : ""),
+                shortNumber(w.score - list.first().score),
                 percent(w.probability)
             });
         }
@@ -220,7 +242,7 @@ std::string apart(const finding& f)
         "<h2>What these channels can tell apart</h2>\n<p>Effect of each"
         " mechanism at full strength that the one of the column, at whatever"
         " strength, cannot imitate, in standard deviations. On the diagonal the"
-        " whole effect. Below 3: not to be told apart.</p>\n"
+        " whole effect. Below 3: not to be told apart. A mechanism that does the opposite imitates nothing.</p>\n"
       + table(head, rows);
 }
 
