@@ -2,13 +2,13 @@
 # Top of the suspension and of the deposit, from the positions and velocities
 # of the beads at one time:
 #
-#   awk -v d=.. -v width=.. -v height=.. -f interfaces.awk positions U
+#   awk -v d=.. -v width=.. -v height=.. -v slow=.. -f interfaces.awk positions U
 #
-# Spheres are cut exactly into slices two diameters thick. Top of the
-# suspension: where the solid fraction falls through half of that of the upper
-# half of the column. Top of the deposit: where the beads sink at half the mean
-# speed of those in the upper half. Tells: top, deposit [m], speed of the beads
-# between them [m/s], solid fraction there and in the deposit.
+# Spheres are cut exactly into slices two diameters thick. Top of the suspension:
+# where the solid fraction falls through 0.25, half of what it was at the start.
+# Top of the deposit: up to there the beads sink more slowly than "slow" [m/s].
+# Tells: top, deposit [m], speed of the beads between them [m/s], solid fraction
+# there and in the deposit; 0 where there is too little of it.
 
 # Volume of a sphere below the height h above its lowest point
 function cap(h)
@@ -47,23 +47,16 @@ END {
             flux[b] += part*v[i]
         }
     }
-
-    half = int(nSlices/2)
     for (b = 0; b < nSlices; b++)
         speed[b] = flux[b]/(solid[b]*width*width*thick + 1e-300)
-    for (b = half; b < nSlices; b++)
-    {
-        weight += solid[b]
-        sum += solid[b]*speed[b]
-        square += solid[b]*solid[b]
-    }
 
-    for (b = nSlices - 2; b > 0 && solid[b] < 0.5*square/weight; b--) ;
-    top = between(solid, b, 0.5*square/weight)
-    for (b = 0; b < half && speed[b + 1] < 0.5*sum/weight; b++) ;
-    deposit = between(speed, b, 0.5*sum/weight)
+    for (b = nSlices - 2; b > 0 && solid[b] < 0.25; b--) ;
+    top = between(solid, b, 0.25)
+    last = b
+    for (b = 0; b < last && speed[b + 1] < slow; b++) ;
+    deposit = b == last ? top : speed[b] < slow ? between(speed, b, slow) : 0
 
-    # A slice away from the base, and four diameters from either interface
+    # A slice away from the base, and some diameters from either interface
     for (b = 1; b < nSlices; b++)
     {
         middle = (b + 0.5)*thick
