@@ -296,6 +296,7 @@ void Foam::misfit::makeCases
 (
     concealedSide& truth,
     const fileName& folder,
+    const fileName& keyFile,
     const label n,
     const label seed
 )
@@ -351,5 +352,5 @@ void Foam::misfit::makeCases
         );
         key.push_back(k);
     }
-    writeWhole(folder/"key.json", key.dump(1) + '\n');
+    writeWhole(keyFile, key.dump(1) + '\n');
 }

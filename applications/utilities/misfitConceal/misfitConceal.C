@@ -22,6 +22,7 @@ int main(int argc, char* argv[])
     argList::noParallel();
     argList::noFunctionObjects();
     argList::addOption("folder", "dir", "Of the cases");
+    argList::addOption("key", "file", "The key; folder/key.json if not given");
     argList::addOption("make", "n", "Make so many cases and their key");
     argList::addOption("seed", "number", "For make; secret if not given");
     argList::addBoolOption("diagnose", "Diagnose all cases in the folder");
@@ -32,6 +33,10 @@ int main(int argc, char* argv[])
     const argList args(argc, argv);
     const fileName slice(args.path());
     const fileName folder(args.get<fileName>("folder"));
+    const fileName key
+    (
+        args.lookupOrDefault<fileName>("key", folder/"key.json")
+    );
     const bool solver = args.found("solver");
     mkDir(folder);
 
@@ -40,7 +45,7 @@ int main(int argc, char* argv[])
         concealedSide truth(slice, "truthDict", 1, solver);
         const label seed =
             args.lookupOrDefault<label>("seed", label(std::random_device()() >> 1));
-        makeCases(truth, folder, args.get<label>("make"), seed);
+        makeCases(truth, folder, key, args.get<label>("make"), seed);
     }
     if (args.found("diagnose"))
     {
@@ -49,7 +54,7 @@ int main(int argc, char* argv[])
     }
     if (args.found("score"))
     {
-        scoreCases(folder);
+        scoreCases(folder, key);
     }
     return 0;
 }

@@ -268,12 +268,16 @@ std::string scores::rows() const
 } // End anonymous namespace
 
 
-void Foam::misfit::scoreCases(const fileName& folder)
+void Foam::misfit::scoreCases
+(
+    const fileName& folder,
+    const fileName& keyFile
+)
 {
     scores all;
     std::ofstream table(folder/"cases.csv");
     table << "case,kind,truth,snr,verdict,names,confidence\n";
-    for (const json& key : readJson(folder/"key.json"))
+    for (const json& key : readJson(keyFile))
     {
         const std::string name = key["case"];
         const json v(readJson(folder/name/"verdict.json"));

@@ -177,6 +177,10 @@ Foam::string Foam::misfit::solverPredictor::fault
     const series& s
 ) const
 {
+    if (s.x.empty())
+    {
+        return "it wrote nothing for the channel " + c.name();
+    }
     for (const scalar value : s.y)
     {
         if (!std::isfinite(value) || mag(value) > 1e100)
@@ -184,12 +188,17 @@ Foam::string Foam::misfit::solverPredictor::fault
             return "it gave no finite numbers for the channel " + c.name();
         }
     }
+    if (!c.isRecorded())
+    {
+        return "";
+    }
+
     // A cell centre is up to half a cell from the wall
     const label n = s.x.size();
     const scalar step =
         n > 1 && !c.overTime() ? s.x[n-1] - s.x[n-2] : 0;
     const scalar enough = c.recorded().x.last() - max(0.5*c.span(), step);
-    if (c.isRecorded() && s.x.last() < enough)
+    if (s.x.last() < enough)
     {
         return
             "it ends at " + Foam::name(s.x.last()) + " and the channel "
