@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Predictions from a bank of runs: what was run is given as it was, and the rest
+// by a surface that is exact where the truth is quadratic.
+
+#include "emulatedPredictor.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+namespace
+{
+
+runState at(const scalar p, const scalar s, const word& resolution = "base")
+{
+    runState state;
+    state.parameters.insert("p", p);
+    if (s > 0)
+    {
+        state.strengths.insert("m", s);
+    }
+    state.resolution = resolution;
+    return state;
+}
+
+
+//- Quadratic in both; a finer mesh adds 0.25
+prediction truth(const runState& state)
+{
+    const scalar p = state.parameters["p"];
+    const scalar s = state.strengths.lookup("m", 0);
+    prediction run;
+    run.channels.setSize(1);
+    for (label i = 0; i <= 10; ++i)
+    {
+        const scalar t = 0.1*i;
+        run.channels[0].x.append(t);
+        run.channels[0].y.append
+        (
+            1 + p*t + s + 0.5*p*p + 2*s*s*t
+          + (state.resolution == "mesh" ? 0.25 : 0)
+        );
+    }
+    return run;
+}
+
+
+emulatedPredictor bank()
+{
+    List<runState> states
+    ({
+        at(0, 0), at(-1, 0), at(1, 0), at(0, 0.5), at(0, 1), at(1, 1),
+        at(-1, 0.5), at(0.5, 0.3), at(0, 0, "mesh")
+    });
+    List<prediction> runs;
+    for (const runState& s : states)
+    {
+        runs.append(truth(s));
+    }
+    return emulatedPredictor
+    (
+        {{"p", {}, 0, 1, -3, 3}},
+        {{"m", "m", {}, 0.5, 1, 1, GREAT, {}}},
+        states,
+        runs
+    );
+}
+
+} // End anonymous namespace
+
+
+TEST(misfitEmulator, aQuadraticTruthIsMet)
+{
+    emulatedPredictor emulate(bank());
+    const runState s(at(-0.4, 0.8));
+    const prediction p(emulate.predict({s})[0]);
+    ASSERT_TRUE(p.ok());
+    for (const scalar t : {0.0, 0.3, 1.0})
+    {
+        EXPECT_NEAR(p.channels[0](t), truth(s).channels[0](t), 1e-9) << t;
+    }
+}
+
+
+TEST(misfitEmulator, whatWasRunIsGivenAsItWas)
+{
+    emulatedPredictor emulate(bank());
+    const prediction p(emulate.predict({at(1, 1)})[0]);
+    EXPECT_EQ(p.channels[0].x.size(), 11);
+    EXPECT_EQ(emulate.bank("A").size(), 8);
+}
+
+
+TEST(misfitEmulator, aFinerMeshIsTheDifferenceThatTheBankHasOfIt)
+{
+    emulatedPredictor emulate(bank());
+    const prediction p(emulate.predict({at(0.7, 0, "mesh")})[0]);
+    EXPECT_NEAR
+    (
+        p.channels[0](0.5), truth(at(0.7, 0)).channels[0](0.5) + 0.25, 1e-9
+    );
+}
+
+
+TEST(misfitEmulator, anExperimentThatItHasNotIsAFailure)
+{
+    emulatedPredictor emulate(bank());
+    runState s(at(0, 0));
+    s.experiment = "B";
+    EXPECT_NE
+    (
+        emulate.predict({s})[0].failure.find("no experiment B"),
+        std::string::npos
+    );
+}
