@@ -155,6 +155,14 @@ Foam::misfit::whitener::whitener(const mat& covariance)
 {
     if (factor_.info() != Eigen::Success)
     {
+        // Nearly dependent samples: a billionth of the variance tells them apart
+        mat wider(covariance);
+        wider.diagonal() *= 1 + 1e-9;
+        wider.diagonal().array() += 1e-9*covariance.diagonal().mean();
+        factor_.compute(wider);
+    }
+    if (factor_.info() != Eigen::Success)
+    {
         FatalErrorInFunction
             << "The covariance of the samples is not positive definite: is the"
             << " uncertainty of a channel far too small?" << exit(FatalError);
@@ -221,6 +229,18 @@ void Foam::misfit::covariance::addRepeats
 void Foam::misfit::covariance::addDifference(const vec& difference)
 {
     fixed_ += difference*difference.transpose();
+    if (difference.squaredNorm() <= 0)
+    {
+        return;
+    }
+
+    // With other parameters the error has another shape of like size. Of first
+    // order, it is twice what halving a cell changes
+    const mat column(difference);
+    const vec scale = 2*variance(column).cwiseSqrt().cwiseMax(VSMALL);
+    const mat z = scale.cwiseInverse().asDiagonal()*column;
+    fixed_ +=
+        scale.asDiagonal()*correlation(likelyMemory(z))*scale.asDiagonal();
 }
 
 
