@@ -226,7 +226,7 @@ void writeCsv(const fileName& file, const series& s, const word& quantity)
 
 
 //- Effect of what is concealed at the channels of experiment A: where it is
-//  above the noise, and the largest norm over the noise of a channel
+//  above two deviations of the noise and a quarter of its largest, and the largest norm over the noise of a channel
 json effect
 (
     const recordings& all,
@@ -237,6 +237,8 @@ json effect
 {
     json places = json::array();
     scalar most = 0;
+    scalar largest = 0;
+    List<series> over(all.channels().size());
     forAll(all.channels(), i)
     {
         const channel& ch = all.channels()[i];
@@ -248,24 +250,39 @@ json effect
         sound.faulty = "";
         const series a(recorded(with.channels[i], c, ch.name()));
         const series b(recorded(without.channels[i], sound, ch.name()));
-        scalar from = GREAT;
-        scalar to = -GREAT;
         scalar sum = 0;
         forAll(a.x, k)
         {
             const scalar d =
                 mag(a.y[k] - b.y[k])/(c.level*ch.uncertainty());
             sum += sqr(d);
-            if (d > 2)
-            {
-                from = min(from, a.x[k]);
-                to = max(to, a.x[k]);
-            }
+            over[i].x.append(a.x[k]);
+            over[i].y.append(d);
+            largest = max(largest, d);
         }
         most = max(most, Foam::sqrt(sum));
+    }
+
+    forAll(over, i)
+    {
+        scalar from = GREAT;
+        scalar to = -GREAT;
+        forAll(over[i].x, k)
+        {
+            if (over[i].y[k] > max(2.0, 0.25*largest))
+            {
+                from = min(from, over[i].x[k]);
+                to = max(to, over[i].x[k]);
+            }
+        }
         if (to > from)
         {
-            places.push_back({{"channel", ch.name()}, {"from", from}, {"to", to}});
+            places.push_back
+            ({
+                {"channel", all.channels()[i].name()},
+                {"from", from},
+                {"to", to}
+            });
         }
     }
     return {{"snr", most}, {"places", places}};

@@ -159,11 +159,21 @@ Foam::scalar Foam::misfit::diagnosis::lowestScore() const
 
 Foam::List<Foam::misfit::weighed> Foam::misfit::diagnosis::rivals() const
 {
+    // Another formula of the first is easily taken for a second mechanism
     const scalar lowest = lowestScore();
+    scalar gap = settings_.gap;
+    for (const weighed& w : found_.explanations)
+    {
+        if (w.score == lowest && w.what.mechanisms.size() > 1)
+        {
+            gap = settings_.pairGap;
+        }
+    }
     List<weighed> near;
     for (const weighed& w : found_.explanations)
     {
-        if (w.score < lowest + settings_.gap)
+        const scalar own = w.what.mechanisms.size() ? gap : settings_.gap;
+        if (w.score < lowest + own)
         {
             near.append(w);
         }

@@ -54,7 +54,7 @@ Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
             "decision",
             wordList
             ({
-                "significance", "adequacy", "evidence", "gap",
+                "significance", "adequacy", "evidence", "gap", "pairGap",
                 "formulaTolerance", "refit", "passes", "pairs", "temperature", "ceiling"
             })
         )
@@ -63,6 +63,7 @@ Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
     decision.readIfPresent("adequacy", s.adequacy);
     decision.readIfPresent("evidence", s.evidence);
     decision.readIfPresent("gap", s.gap);
+    decision.readIfPresent("pairGap", s.pairGap);
     decision.readIfPresent("formulaTolerance", s.formulaTolerance);
     decision.readIfPresent("refit", s.refit);
     decision.readIfPresent("passes", s.passes);

@@ -91,17 +91,15 @@ void Foam::misfit::diagnosis::judge(List<weighed>& near)
     }
 
     const List<label> core(common(near));
-    for (const weighed& w : near)
+    if (core.size())
     {
-        if (core.size() && w.what.mechanisms.size() == core.size())
+        for (const label m : core)
         {
-            for (const label m : core)
-            {
-                found_.names.append(names[m]);
-            }
-            found_.verdict = "named";
-            return;
+            found_.names.append(names[m]);
         }
+        partly_ = core.size() < best().what.mechanisms.size();
+        found_.verdict = "named";
+        return;
     }
     found_.verdict = "set";
     for (const weighed& w : near)
