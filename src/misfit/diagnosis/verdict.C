@@ -91,13 +91,12 @@ void Foam::misfit::diagnosis::judge(List<weighed>& near)
     }
 
     const List<label> core(common(near));
-    if (core.size())
+    if (core.size() && best().what.mechanisms.size() == core.size())
     {
         for (const label m : core)
         {
             found_.names.append(names[m]);
         }
-        partly_ = core.size() < best().what.mechanisms.size();
         found_.verdict = "named";
         return;
     }
