@@ -5,6 +5,8 @@
 #include "testMesh.H"
 
 #include "Function1.H"
+#include "OFstream.H"
+#include "OSspecific.H"
 #include "surfaceFields.H"
 #include "volFields.H"
 
@@ -119,12 +121,17 @@ TEST(slidingGate, OpensInProportionToItsWayAlsoWithinAFace)
 }
 
 
-TEST(slidingGate, IsTheSameWhereTheRanksAreCutAlongIt)
+TEST(ParallelSlidingGate, IsTheSameWhereTheRanksAreCutAtItAndAcrossIt)
 {
-    testMesh m(box(2));
-    slidingGate gate(m.mesh(), gateAt(0.5));
+    for (const direction cut : {0, 2})
+    {
+        testMesh m(box(cut));
+        slidingGate gate(m.mesh(), gateAt(0.5));
 
-    EXPECT_NEAR(openArea(gate, m.mesh(), 0.3, 0.5), 0.6, 1e-12);
+        EXPECT_EQ(openArea(gate, m.mesh(), 0, 0.5), 0);
+        EXPECT_NEAR(openArea(gate, m.mesh(), 0.3, 0.5), 0.6, 1e-12);
+        EXPECT_NEAR(openArea(gate, m.mesh(), 0.3, 0.25), 1, 1e-12);
+    }
 }
 
 
@@ -201,6 +208,20 @@ TEST(slidingGate, StrengthZeroAndNoFileAreNoGate)
     EXPECT_FALSE(none.active());
     EXPECT_DOUBLE_EQ(openArea(weak, m.mesh(), 0, 0.5), 1);
     EXPECT_DOUBLE_EQ(openArea(none, m.mesh(), 0, 0.5), 1);
+}
+
+
+TEST(slidingGate, AFileThatCannotBeReadIsAnErrorNotARunWithoutGate)
+{
+    testMesh m(box());
+    const Time& time = m.mesh().time();
+    mkDir(time.path()/time.constant());
+    {
+        OFstream os(time.path()/time.constant()/"slidingGate");
+        os  << "speed 1;" << nl;
+    }
+
+    EXPECT_ANY_THROW(slidingGate gate(m.mesh()));
 }
 
 

@@ -30,8 +30,14 @@ Foam::dictionary settings(const Foam::fvMesh& mesh)
         false
     );
 
+    // A file that is there is read, or told to be wrong
+    const fileName path
+    (
+        mesh.time().globalPath()/mesh.time().constant()/io.name()
+    );
+
     return
-        io.typeHeaderOk<IOdictionary>(true)
+        returnReduce(isFile(path), orOp<bool>())
       ? dictionary(IOdictionary(io))
       : dictionary();
 }
@@ -60,18 +66,9 @@ Foam::slidingGate::slidingGate(const fvMesh& mesh, const dictionary& dict)
     checkSettings(dict);
     writeActivePhysics(dict);
 
-    if (strength_ == 0)
-    {
-        return;
-    }
-
-    speed_ = Function1<scalar>::New("speed", dict);
-    findFaces
-    (
-        dict.get<point>("point"),
-        unit(dict, "normal", dict.get<vector>("normal"))
-    );
-    findExtents
+    const point onPlane(dict.get<point>("point"));
+    const vector normal(unit(dict, "normal", dict.get<vector>("normal")));
+    const vector direction
     (
         unit
         (
@@ -80,6 +77,15 @@ Foam::slidingGate::slidingGate(const fvMesh& mesh, const dictionary& dict)
             dict.lookupOrDefault("direction", vector(0, 0, 1))
         )
     );
+    speed_ = Function1<scalar>::New("speed", dict);
+
+    if (strength_ == 0)
+    {
+        return;
+    }
+
+    findFaces(onPlane, normal);
+    findExtents(direction);
 
     open_.reset
     (
@@ -107,7 +113,7 @@ void Foam::slidingGate::checkSettings(const dictionary& dict)
             "FoamFile", "point", "normal", "direction", "speed", "speedCoeffs",
             "start", "strength"
         },
-        "They are those of constant/slidingGate."
+        "\n    They are those of constant/slidingGate."
     );
 
     const scalar strength = dict.lookupOrDefault<scalar>("strength", 1);
