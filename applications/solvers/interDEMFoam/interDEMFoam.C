@@ -146,7 +146,16 @@ int main(int argc, char *argv[])
     }
 
     // The end is written wherever it is: times to write count from the start
-    if
+    if (!together())
+    {
+        Warning
+            << "The run ended at " << runTime.timeName() << " s, between two"
+            << " exchanges: grains and water are not at the same time, so this"
+            << " time is not written." << nl
+            << "    Go on from the latest time that is; end a run with stopAt"
+            << " writeNow or SIGTERM." << endl;
+    }
+    else if
     (
         runTime.timeIndex() > runTime.startTimeIndex()
      && (toWrite || asked || grains.active())
