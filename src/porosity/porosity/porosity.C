@@ -37,7 +37,9 @@ void Foam::porosity::measure()
     const List<locatedGrain>& grains = exchange_.grains();
 
     volumes_.setSize(grains.size());
-    totalVolume_ = 0;
+    // Equal numbers added one by one all round the same way: in double precision
+    // 1e5 grains would be wrong by 1e-12
+    long double volumeSum = 0;
     scalar diameterSum = 0;
 
     forAll(grains, i)
@@ -45,11 +47,11 @@ void Foam::porosity::measure()
         const scalar radius = grains[i].radius;
 
         volumes_[i] = 4*constant::mathematical::pi/3*pow3(radius);
-        totalVolume_ += volumes_[i];
+        volumeSum += volumes_[i];
         diameterSum += volumes_[i]*2*radius;
     }
 
-    reduce(totalVolume_, sumOp<scalar>());
+    totalVolume_ = returnReduce(scalar(volumeSum), sumOp<scalar>());
     reduce(diameterSum, sumOp<scalar>());
     smoothing_->setDiameter(diameterSum/max(totalVolume_, VSMALL));
 }
