@@ -2,7 +2,7 @@
 # What else but the three numbers moves the answers: for each run with one thing
 # varied the difference to the same run without, in %.
 #
-#   awk -f sensitivity.awk rows...
+#   awk -v suffix=-slice -f sensitivity.awk rows...
 
 BEGIN {
     FS = ","
@@ -27,13 +27,10 @@ END {
 
     for (r = 1; r <= n; r++)
     {
-        base = order[r]
-        varied = "nothing"
-        if (match(base, /-(seed[0-9]|stiff|soft|shortStep|fineCells|coarseCells|ranks[0-9]|rolling[0-9]+|noSlip|asPrinted)$/))
-        {
-            varied = substr(base, RSTART + 1)
-            base = substr(base, 1, RSTART - 1)
-        }
+        match(order[r], "^[^-]*" suffix)
+        base = substr(order[r], 1, RLENGTH)
+        varied = substr(order[r], RLENGTH + 2)
+        if (varied == "") varied = "nothing"
         printf "%s,%s,%s", base, varied, value[order[r], "ranks"]
         for (c = 1; c <= nColumns; c++)
         {

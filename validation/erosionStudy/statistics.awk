@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # How near the runs of table.csv come to the paper's:
 #
-#   awk -v rows="rows..." -v matrix=FILE -f statistics.awk table.csv
+#   awk -v suffix=-slice -v rows="rows..." -v matrix=FILE -f statistics.awk table.csv
 #
 # Tells lines "check,quantity,value,wanted,unit" for result.csv and writes the
 # correlation matrix. Rows of the same run with other seeds of the packing, if
@@ -152,7 +152,7 @@ function readSeeds(    files, n, i, k, line, head, cell, m, base)
         split(line, cell, ",")
         base = cell[1]
         sub(/-seed[0-9]$/, "", base)
-        if (base !~ /^D[0-9]M[0-9]+V[0-9]+(-slice)?$/) continue
+        if (base !~ "^D[0-9]M[0-9]+V[0-9]+" suffix "$") continue
         repeats[base]++
         for (k = 2; k <= m; k++) repeated[base, repeats[base], head[k]] = cell[k]
     }
