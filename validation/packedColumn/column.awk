@@ -7,6 +7,8 @@
 # width over which the solver smooths, in diameters; a law. Tells
 #
 #   task=pressure: difference of pressure between the two at the flow U [Pa]
+#   task=fromFloor: the same from the floor to the middle of the upper, the lower
+#     being the first, and U the velocity between its grains
 #   task=lifting: flow at which that difference carries the grains between [m/s]
 #   task=weight: difference of pressure that carries them [Pa]
 #   task=voidFraction: mean between the two
@@ -50,6 +52,11 @@ function sum(what, U,    i, total)
     return total
 }
 
+function fromFloor(flow)
+{
+    return sum("pressure", flow) + dz/2*pressureDrop(law, 1 - solid[0], flow)
+}
+
 # That share of the weight under water counts
 function weight() { return share*sum("solid")*(rhoS - rho)*gravity }
 
@@ -69,6 +76,7 @@ function lifting(    low, high, middle, i)
 END {
     smooth()
     printf "%.6g", task == "pressure" ? sum("pressure", U) \
+        : task == "fromFloor" ? fromFloor((1 - solid[0])*U) \
         : task == "lifting" ? lifting() \
         : task == "weight" ? weight() : 1 - sum("solid")/(dz*(upper - lower))
 }
