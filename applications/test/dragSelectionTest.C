@@ -191,3 +191,78 @@ TEST(dragSelection, theBaseSettingsHoldOnlyTheBasesOwn)
         {"Unknown keyword strength", "baseSettings", "formulation"}
     );
 }
+
+
+TEST(dragCorrection, isLinearInVoidFractionAndLogReynoldsBetweenNodes)
+{
+    const auto plain = law<dragModel>("model Gidaspow;");
+    const auto corrected = law<dragModel>
+    (
+        "model Gidaspow; correction { voidFraction (0.4 0.8);"
+        " Reynolds (1 100); logarithm ((0.1 0.3) (0.5 -0.1)); }"
+    );
+    const auto factor = [&](const scalar e, const scalar Re)
+    {
+        grainState state = atReynolds(inWater(), Re);
+        state.voidFraction = e;
+        return std::log(corrected->K(state)/plain->K(state));
+    };
+
+    EXPECT_NEAR(factor(0.4, 1), 0.1, 1e-12);
+    EXPECT_NEAR(factor(0.8, 100), -0.1, 1e-12);
+    EXPECT_NEAR(factor(0.4, 10), 0.2, 1e-12);
+    EXPECT_NEAR(factor(0.5, 10), 0.2, 1e-12);
+    EXPECT_NEAR(factor(0.7, 100), 0, 1e-12);
+
+    // Beyond the nodes as at the last one, also at rest
+    EXPECT_NEAR(factor(0.3, 1e4), 0.3, 1e-12);
+    EXPECT_NEAR(factor(0.9, 0), 0.5, 1e-12);
+}
+
+
+TEST(dragCorrection, ofOneNodeIsAPlainFactor)
+{
+    EXPECT_NEAR
+    (
+        law<dragModel>
+        (
+            "model Ergun; correction { voidFraction (1); Reynolds (1);"
+            " logarithm ((0.5)); strength -2; }"
+        )->K(someState())
+       /law<dragModel>("model Ergun;")->K(someState()),
+        std::exp(-1.0),
+        1e-12
+    );
+}
+
+
+TEST(dragCorrection, ofStrengthZeroIsTheLawToTheLastBit)
+{
+    EXPECT_EQ
+    (
+        law<dragModel>
+        (
+            "model DiFelice; correction { voidFraction (1); Reynolds (1);"
+            " logarithm ((0.5)); strength 0; }"
+        )->K(someState()),
+        law<dragModel>("model DiFelice;")->K(someState())
+    );
+}
+
+
+TEST(dragCorrection, aTableThatDoesNotFitItsNodesIsRefused)
+{
+    for (const char* table :
+        {
+            "voidFraction (0.4 0.8); Reynolds (1); logarithm ((0.1));",
+            "voidFraction (0.8 0.4); Reynolds (1); logarithm ((0.1) (0));",
+            "voidFraction (0.8); Reynolds (0); logarithm ((0.1));"
+        })
+    {
+        expectError<dragModel>
+        (
+            "model DiFelice; correction { " + std::string(table) + " }",
+            {"Nodes must rise", "a row for each void fraction"}
+        );
+    }
+}

@@ -353,3 +353,68 @@ TEST(viscousForce, isVolumeTimesTheDivergenceOfTheStress)
         EXPECT_EQ(force, vector(Zero));
     }
 }
+
+
+TEST(excessPressure, isFeltByItsStrengthAndBuoyancyInFull)
+{
+    constexpr scalar d = 0.05;
+    const vector gradient(300, -200, -9000);
+    const vector atRest(rhoWater*g);
+
+    for (const scalar strength : {0.0, 0.3, 1.0})
+    {
+        testMesh box;
+        const fvMesh& mesh = box.mesh();
+        standingGrains phase(mesh);
+        put(phase, pointField(1, point(0.4, 0.4, 0.4)), d);
+        grainExchange exchange(mesh);
+        exchange.locate(phase);
+        porosity pores
+        (
+            exchange, entries("model centre; smoothing { model none; }")
+        );
+        pores.update();
+
+        const auto forceWith = [&](const string& drag)
+        {
+            interphaseForces forces
+            (
+                exchange,
+                pores,
+                entries
+                (
+                    "drag { model " + drag + "; } excessPressure { strength "
+                  + Foam::name(strength) + "; }"
+                ),
+                g,
+                1,
+                true
+            );
+            const vectorField none(mesh.nCells(), Zero);
+            fluidFields fluid(water(mesh.nCells()));
+            fluid.U = phase.grains.U[0];
+            fluid.convection = none;
+            forces.prepare(fluid, interval);
+            forces.finish
+            (
+                fluidMeans
+                {
+                    fluid.U, none, vectorField(mesh.nCells(), gradient), none
+                }
+            );
+            EXPECT_LT(forces.residual(), 1e-12);
+            EXPECT_EQ(max(mag(forces.pressureShare())) > 0,
+                drag != "none" && strength > 0);
+            return forces.force()[0];
+        };
+
+        const vector exact
+        (
+           -volumeOf(d)*(atRest + strength*(gradient - atRest))
+        );
+        EXPECT_LT(mag(forceWith("none") - exact), 1e-12*mag(exact));
+
+        // With drag the water takes its share of the same load, no other
+        EXPECT_LT(mag(forceWith("DiFelice") - exact), 0.05*mag(exact));
+    }
+}

@@ -3,6 +3,7 @@
 
 #include "porePressureProbes.H"
 
+#include "IOdictionary.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -54,7 +55,7 @@ bool Foam::functionObjects::porePressureProbes::read(const dictionary& dict)
         dict,
         {
             "probes", "patch", "p", "hydrostatic", "radius", "highShare",
-            "lowShare"
+            "lowShare", "excessPressure"
         }
     );
 
@@ -66,6 +67,8 @@ bool Foam::functionObjects::porePressureProbes::read(const dictionary& dict)
     radius_ = dict.lookupOrDefault<scalar>("radius", 0.1);
     highShare_ = dict.lookupOrDefault<scalar>("highShare", 0.5);
     lowShare_ = dict.lookupOrDefault<scalar>("lowShare", 0.05);
+
+    excessShown_ = dict.lookupOrDefault<scalar>("excessPressure", -1);
 
     findPlaces(dict);
     pressure_.setSize(probes_.size());
@@ -129,6 +132,34 @@ void Foam::functionObjects::porePressureProbes::findPlaces
                 << exit(FatalIOError);
         }
     }
+}
+
+
+Foam::scalar
+Foam::functionObjects::porePressureProbes::excessShown() const
+{
+    if (excessShown_ < 0)
+    {
+        const IOdictionary grains
+        (
+            IOobject
+            (
+                "granularProperties",
+                mesh_.time().constant(),
+                mesh_,
+                IOobject::READ_IF_PRESENT,
+                IOobject::NO_WRITE,
+                false
+            )
+        );
+
+        excessShown_ =
+            grains.subOrEmptyDict("interphaseForces")
+           .subOrEmptyDict("excessPressure")
+           .lookupOrDefault<scalar>("strength", 1);
+    }
+
+    return excessShown_;
 }
 
 
@@ -280,12 +311,18 @@ bool Foam::functionObjects::porePressureProbes::execute()
 
     forAll(probes_, i)
     {
-        const scalar p = discs_[i].nearest(pWall);
         const scalar level = columns_[i].integral(talpha());
-        const scalar sigma = fromGrains[i] + discs_[i].mean(pWall);
+        const scalar hidden = 1 - excessShown();
+        const auto shown = [&](const scalar pressure)
+        {
+            return pressure - hidden*(pressure - rhoG*level);
+        };
+        const scalar p = shown(discs_[i].nearest(pWall));
+        const scalar onBase = shown(discs_[i].mean(pWall));
+        const scalar sigma = fromGrains[i] + onBase;
 
         // Next to nothing lies on a base with less than 1 Pa
-        const scalar lambda = sigma > 1 ? discs_[i].mean(pWall)/sigma : 0;
+        const scalar lambda = sigma > 1 ? onBase/sigma : 0;
 
         line_.append
         (

@@ -27,6 +27,19 @@ namespace
         return settings;
     }
 
+    //- The settings of a closure, of strength 0 if the keyword is absent
+    dictionary offIfAbsent(const dictionary& dict, const word& name)
+    {
+        dictionary settings(keywords::sub(dict, name));
+
+        if (!dict.found(name))
+        {
+            settings.add("strength", scalar(0));
+        }
+
+        return settings;
+    }
+
     //- Share of the load that contacts carried, 0 to 1: the contact force
     //  against the direction of the load, by its size
     scalar carried(const vector& contact, const vector& load)
@@ -58,11 +71,19 @@ Foam::interphaseForces::interphaseForces
     (
         rotationalDragModel::New(family(dict, "rotationalDrag", "Dennis"))
     ),
+    lubrication_(exchange.mesh(), offIfAbsent(dict, "lubrication")),
     pressureGradientStrength_
     (
         closure::strength
         (
             keywords::sub(dict, "pressureGradient", {"strength"})
+        )
+    ),
+    excessPressureStrength_
+    (
+        closure::strength
+        (
+            keywords::sub(dict, "excessPressure", {"strength"})
         )
     ),
     viscousForceStrength_
@@ -85,9 +106,15 @@ Foam::interphaseForces::interphaseForces
     active_.add("virtualMass", family(dict, "virtualMass", "none"));
     active_.add("rotationalDrag", family(dict, "rotationalDrag", "Dennis"));
 
+    active_.add("lubrication", lubrication_.active());
+
     dictionary pressureGradient;
     pressureGradient.add("strength", pressureGradientStrength_);
     active_.add("pressureGradient", pressureGradient);
+
+    dictionary excessPressure;
+    excessPressure.add("strength", excessPressureStrength_);
+    active_.add("excessPressure", excessPressure);
 
     dictionary viscousForce;
     viscousForce.add("strength", viscousForceStrength_);
@@ -211,6 +238,21 @@ Foam::Field<Foam::fluidAtGrain> Foam::interphaseForces::gather
 }
 
 
+Foam::vector Foam::interphaseForces::felt
+(
+    const vector& gradient,
+    const scalar rhoAround
+) const
+{
+    const vector atRest(rhoAround*g_);
+
+    return
+        excessPressureStrength_ < 1
+      ? atRest + excessPressureStrength_*(gradient - atRest)
+      : gradient;
+}
+
+
 Foam::vector Foam::interphaseForces::freeLoad
 (
     const locatedGrain& grain,
@@ -277,10 +319,22 @@ void Foam::interphaseForces::setForce
     const scalar K = N3*drag_->K(state);
     const scalar C = virtualMass_->coefficient(state)*state.rho*volume;
     const vector lift(N3*lift_->force(state));
+    vector load(freeLoad(grain, fluid, volume, lift));
 
     // A grain that nothing moves has no velocity to eliminate
     const scalar m = mobile_ ? grain.mass : GREAT;
     const scalar M = mobile_ ? m/(m + C + K*interval) : 1;
+
+    wallForce_[i] = lubrication_.force
+    (
+        grain.position,
+        grain.radius,
+        state.mu,
+        (m + C)*grain.velocity + interval*(load + K*U + C*convection),
+        m + C + K*interval,
+        interval
+    );
+    load += wallForce_[i];
 
     // Shear moves computed grains past each other N times as fast as real ones
     const scalar K1 = K/sqr(coarseGraining_);
@@ -288,11 +342,12 @@ void Foam::interphaseForces::setForce
 
     drag0_[i] = M*K;
     virtualMass0_[i] = M*C;
-    pressure0_[i] = (1 - M)*pressureGradientStrength_*volume;
+    pressure0_[i] =
+        (1 - M)*excessPressureStrength_*pressureGradientStrength_*volume;
     explicit_[i] =
         lift + virtualMass0_[i]*convection - drag0_[i]*meanVelocity_[i]
       + drag1*(meanVelocity_[i] - grain.velocity)
-      + (M - 1)*freeLoad(grain, fluid, volume, lift);
+      + (M - 1)*load;
 
     setTorque(i, state, interval);
 }
@@ -312,6 +367,7 @@ void Foam::interphaseForces::prepare
     virtualMass0_.setSize(n);
     pressure0_.setSize(n);
     explicit_.setSize(n);
+    wallForce_.setSize(n);
     torque_.setSize(n);
     findMeanVelocity();
 
@@ -394,11 +450,12 @@ void Foam::interphaseForces::finish(const fluidMeans& means)
 
         force_[i] =
             exchanged[i]
+          + wallForce_[i]
           + porosity_.volumes()[i]
            *(
                 viscousForceStrength_
                *fluid.vectorOf(fluidAtGrain::viscousForce)
-              - pressureGradientStrength_*gradient
+              - pressureGradientStrength_*felt(gradient, rhoAround_[i])
             );
     }
 

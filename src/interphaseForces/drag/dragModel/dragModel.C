@@ -4,6 +4,7 @@
 #include "dragModel.H"
 #include "blendedDrag.H"
 #include "closure.H"
+#include "correctedDrag.H"
 
 namespace Foam
 {
@@ -12,7 +13,7 @@ namespace Foam
 }
 
 
-Foam::autoPtr<Foam::dragModel> Foam::dragModel::New(const dictionary& dict)
+Foam::autoPtr<Foam::dragModel> Foam::dragModel::NewLaw(const dictionary& dict)
 {
     autoPtr<dragModel> model
     (
@@ -22,7 +23,8 @@ Foam::autoPtr<Foam::dragModel> Foam::dragModel::New(const dictionary& dict)
             "model",
             closure::without
             (
-                dict, {"model", "strength", "base", "baseSettings"}
+                dict,
+                {"model", "strength", "base", "baseSettings", "correction"}
             )
         )
     );
@@ -58,4 +60,10 @@ Foam::autoPtr<Foam::dragModel> Foam::dragModel::New(const dictionary& dict)
     (
         new blendedDrag(strength, std::move(base), std::move(model))
     );
+}
+
+
+Foam::autoPtr<Foam::dragModel> Foam::dragModel::New(const dictionary& dict)
+{
+    return correctedDrag::New(NewLaw(dict), dict);
 }

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Forces on the water by fvOptions, and the wall that leaks.
+
+#include "leakyWallFvPatchVectorField.H"
+#include "locatedPush.H"
+#include "sideWallFriction.H"
+#include "testMesh.H"
+
+#include "IStringStream.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+
+namespace
+{
+
+dictionary entries(const string& text)
+{
+    return dictionary(IStringStream(text)());
+}
+
+
+//- A box of water 2 m long, filled to a half, with void fraction 0.8
+struct halfFull
+{
+    testMesh box;
+
+    autoPtr<volScalarField> alpha;
+
+    autoPtr<volScalarField> voidFraction;
+
+    autoPtr<volScalarField> p;
+
+    static testBox shape()
+    {
+        testBox b;
+        b.span = vector(2, 1, 1);
+        b.cells = labelVector(40, 2, 4);
+        return b;
+    }
+
+    autoPtr<volScalarField> field(const word& name, const dimensionSet& d)
+    {
+        return autoPtr<volScalarField>::New
+        (
+            IOobject(name, "0", box.mesh()),
+            box.mesh(),
+            dimensionedScalar(name, d, 0)
+        );
+    }
+
+    halfFull()
+    :
+        box(shape()),
+        alpha(field("alpha.water", dimless)),
+        voidFraction(field("voidFraction", dimless)),
+        p(field("p", dimPressure))
+    {
+        forAll(*alpha, cell)
+        {
+            (*alpha)[cell] = box.mesh().C()[cell].z() < 0.5;
+        }
+        *voidFraction == dimensionedScalar("pores", dimless, 0.8);
+    }
+
+    vectorField push(const string& at, const scalar t)
+    {
+        box.time().setTime(t, label(1));
+        return fv::locatedPush
+        (
+            "push", "locatedPush",
+            entries
+            (
+                "type locatedPush; direction (2 0 0); force -30; reach (0.5 0.5);"
+                " time 1; lasting (0.5 1);" + at
+            ),
+            box.mesh()
+        ).force();
+    }
+};
+
+} // End anonymous namespace
+
+
+TEST(locatedPush, actsOnWaterAtItsPlaceAndTime)
+{
+    halfFull w;
+    const scalarField& V = w.box.mesh().V();
+    const vectorField f(w.push("place 1;", 1));
+
+    // 30 N/m3 on water of 0.8 x 0.5 x 1 m2, half of it within 1 m
+    EXPECT_NEAR(sum(V*f).x(), -30*0.8*0.5*0.5, 1e-3);
+    EXPECT_LT(mag(sum(V*f).y()) + mag(sum(V*f).z()), 1e-12);
+    forAll(f, cell)
+    {
+        const point& c = w.box.mesh().C()[cell];
+        if (c.z() > 0.5 || mag(c.x() - 1) > 0.5)
+        {
+            EXPECT_EQ(f[cell], vector(Zero)) << c.x();
+        }
+    }
+
+    EXPECT_NEAR(sum(V*w.push("place 1;", 0.75)).x()/sum(V*f).x(), 0.5, 1e-12);
+    EXPECT_NEAR(sum(V*w.push("place 1;", 1.75)).x()/sum(V*f).x(), 0.25, 1e-12);
+    EXPECT_EQ(max(mag(w.push("place 1;", 0.4))), 0);
+    EXPECT_EQ(max(mag(w.push("place 1; strength 0;", 1))), 0);
+}
+
+
+TEST(locatedPush, neighboursAddUpToAUniformOne)
+{
+    halfFull w;
+    const vectorField f(w.push("place 0.75;", 1) + w.push("place 1.25;", 1));
+    forAll(f, cell)
+    {
+        const point& c = w.box.mesh().C()[cell];
+        if (c.z() < 0.5 && c.x() > 0.75 && c.x() < 1.25)
+        {
+            EXPECT_NEAR(f[cell].x(), -24, 1e-12);
+        }
+    }
+}
+
+
+TEST(locatedPush, outsideTheMeshOrWithoutReachIsRefused)
+{
+    halfFull w;
+    EXPECT_THROW(w.push("place 7;", 1), Foam::error);
+    EXPECT_THROW(w.push("place 1; reach (0 1);", 1), Foam::error);
+    EXPECT_THROW(w.push("place 1; width 1;", 1), Foam::error);
+}
+
+
+TEST(sideWallFriction, isPoiseuilleAtRestAndDarcyWeisbachInHaste)
+{
+    testMesh box;
+    const fv::sideWallFriction walls
+    (
+        "walls", "sideWallFriction",
+        entries("type sideWallFriction; width 0.1; friction 0.024;"), box.mesh()
+    );
+
+    // Plane Poiseuille flow: dp/dx = 12 mu U/W^2
+    EXPECT_NEAR(walls.rate(1e-6, 0), 12e-6/0.01, 1e-15);
+
+    // Two walls with f rho U^2/8 on W
+    const scalar U = 3;
+    const scalar turbulent = 2*0.024/8*sqr(U)/0.1/U;
+    EXPECT_NEAR(walls.rate(0, U), turbulent, 1e-12);
+
+    const fv::sideWallFriction none
+    (
+        "walls", "sideWallFriction",
+        entries("type sideWallFriction; width 0.1; strength 0;"), box.mesh()
+    );
+    EXPECT_EQ(none.rate(1e-6, U), 0);
+}
+
+
+TEST(leakyWall, letsOutWhatThePressureDrives)
+{
+    halfFull w;
+    const fvMesh& mesh = w.box.mesh();
+    const label base = 4;
+    const string settings
+    (
+        "type leakyWall; conductance 2e-6; outside 100; value uniform (0 0 0);"
+    );
+    volVectorField U
+    (
+        IOobject("U", "0", mesh), mesh, dimensionedVector(dimVelocity, Zero)
+    );
+    leakyWallFvPatchVectorField wall
+    (
+        mesh.boundary()[base], U.internalField(), entries(settings)
+    );
+
+    // Superficial 2e-6 (600 - 100), between the grains more
+    w.p->boundaryFieldRef()[base] == 600;
+    for (label i = 0; i < 60; ++i)
+    {
+        wall.updateCoeffs();
+        wall.evaluate();
+    }
+    const vectorField n(mesh.boundary()[base].nf());
+    for (const scalar out : scalarField(wall & n))
+    {
+        EXPECT_NEAR(out, 1e-3/0.8, 1e-12);
+    }
+
+    // Nothing comes in
+    w.p->boundaryFieldRef()[base] == 50;
+    for (label i = 0; i < 60; ++i)
+    {
+        wall.updateCoeffs();
+        wall.evaluate();
+    }
+    EXPECT_LT(max(mag(wall)), 1e-12);
+
+    const leakyWallFvPatchVectorField tight
+    (
+        mesh.boundary()[base], U.internalField(),
+        entries(settings + "strength 0;")
+    );
+    EXPECT_EQ(tight.outflow(1e5), 0);
+}
