@@ -2,6 +2,7 @@
 // Predictions from a bank of runs: what was run is given as it was, and the rest
 // by a surface that is exact where the truth is quadratic.
 
+#include "diagnosis.H"
 #include "emulatedPredictor.H"
 
 #include <gtest/gtest.h>
@@ -113,4 +114,65 @@ TEST(misfitEmulator, anExperimentThatItHasNotIsAFailure)
         emulate.predict({s})[0].failure.find("no experiment B"),
         std::string::npos
     );
+}
+
+
+namespace
+{
+
+//- Channels, but nothing recorded and nothing computed
+class nothing
+:
+    public sampler
+{
+    List<observed> data_;
+
+public:
+
+    nothing()
+    :
+        data_(1)
+    {
+        data_[0].experiment = "A";
+        data_[0].use = purpose::fit;
+    }
+
+    List<samples> operator()(const List<runState>& states) override
+    {
+        return List<samples>(states.size());
+    }
+
+    const List<observed>& data() const override
+    {
+        return data_;
+    }
+};
+
+} // End anonymous namespace
+
+
+TEST(misfitBank, eachCandidateIsInAsManyRunsAsTheOthers)
+{
+    settings set;
+    set.parameters = {{"p", {}, 0, 1, -3, 3}};
+    for (const word& name : wordList({"a", "b", "c", "d", "e", "f"}))
+    {
+        set.candidates.append({name, name, {}, 0.5, 1, 1, GREAT, {}});
+    }
+    set.bank = 26;
+    nothing sampler;
+    HashTable<label> runs;
+    for (const runState& s : diagnosis(sampler, set).plan()[1].second())
+    {
+        for (const word& name : s.strengths.toc())
+        {
+            ++runs(name);
+        }
+    }
+    ASSERT_EQ(runs.size(), 6);
+    for (const word& name : runs.toc())
+    {
+        EXPECT_GE(runs[name], 3) << name;
+        EXPECT_LE(runs[name], 5) << name;
+    }
 }

@@ -2,6 +2,7 @@
 // Cases whose cause is concealed: what making, diagnosing and scoring share.
 
 #include "concealedSet.H"
+#include "bankFile.H"
 #include "diagnosis.H"
 
 #include "IFstream.H"
@@ -15,10 +16,14 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
-dictionary readDictionary(const fileName& file)
+//- Without the entry "outside", which only the making knows
+dictionary readDictionary(const fileName& file, wordList& outside)
 {
     IFstream is(file);
-    return dictionary(is);
+    dictionary dict(is);
+    dict.readIfPresent("outside", outside);
+    dict.remove("outside");
+    return dict;
 }
 
 
@@ -88,50 +93,128 @@ List<runState> bankStates
 } // End anonymous namespace
 
 
+Foam::List<Foam::misfit::prediction> Foam::misfit::concealedSide::runs
+(
+    const fileName& file,
+    const List<runState>& states
+)
+{
+    if (!isFile(file, false))
+    {
+        List<prediction> all(solver_.predict(states));
+        for (prediction& p : all)
+        {
+            p = bankFile::reduced(p);
+        }
+        mkDir(file.path());
+        bankFile::write(file, bare_, states, all);
+    }
+    return bankFile::read(file, bare_, states);
+}
+
+
 Foam::misfit::concealedSide::concealedSide
 (
     const fileName& slice,
-    const word& dictName,
-    const label packing,
+    const fileName& banks,
+    const word& side,
     const bool useSolver
 )
 :
-    dict_(readDictionary(slice/"sides"/dictName)),
+    dict_(readDictionary(slice/"sides"/side + "Dict", outside_)),
     bare_(dict_, slice),
     solver_(bare_, slice, dict_),
     useSolver_(useSolver)
 {
     const settings set(readSettings(dict_));
-    List<runState> states(bankStates(set, bare_.experiments(), packing));
-    const List<prediction> runs(solver_.predict(states));
-    for (runState& s : states)
+    states_ = bankStates(set, bare_.experiments(), packing(side));
+    List<runState> states(states_);
+    const List<prediction> all(runs(banks/side + ".txt", states));
+    forAll(states, i)
     {
-        s.packing = 0;
+        if (all[i].ok())
+        {
+            known_.insert(told(states[i]), all[i]);
+        }
+        states[i].packing = 0;
     }
     bank_.reset
     (
-        new emulatedPredictor(set.parameters, set.candidates, states, runs)
+        new emulatedPredictor(set.parameters, set.candidates, states, all)
     );
 }
 
 
-Foam::misfit::predictor& Foam::misfit::concealedSide::predict()
+Foam::List<Foam::misfit::prediction>
+Foam::misfit::concealedSide::predict(const List<runState>& states)
 {
-    if (useSolver_)
+    if (!useSolver_)
     {
-        return solver_;
+        return bank_->predict(states);
     }
-    return *bank_;
+    List<prediction> all(states.size());
+    List<runState> rest;
+    forAll(states, i)
+    {
+        const auto known = known_.cfind(told(states[i]));
+        if (known.found())
+        {
+            all[i] = known.val();
+        }
+        else
+        {
+            rest.append(states[i]);
+        }
+    }
+    const List<prediction> run(solver_.predict(rest));
+    label next = 0;
+    forAll(states, i)
+    {
+        if (!known_.found(told(states[i])))
+        {
+            all[i] = run[next++];
+        }
+    }
+    return all;
+}
+
+
+Foam::scalar Foam::misfit::concealedSide::difference(const label run)
+{
+    const prediction now
+    (
+        bankFile::reduced(solver_.predict(List<runState>(1, states_[run]))[0])
+    );
+    if (!now.ok() || !known_.found(told(states_[run])))
+    {
+        return GREAT;
+    }
+    const prediction& then = known_[told(states_[run])];
+    scalar largest = 0;
+    forAll(now.channels, i)
+    {
+        forAll(now.channels[i].x, k)
+        {
+            largest = max
+            (
+                largest,
+                mag(now.channels[i].y[k] - then.channels[i](now.channels[i].x[k]))
+               /bare_.channels()[i].uncertainty()
+            );
+        }
+    }
+    return largest;
 }
 
 
 Foam::dictionary Foam::misfit::withFiles
 (
     const dictionary& dict,
-    const fileName& folder,
-    const scalar level
+    const fileName& folder
 )
 {
+    IFstream is(folder/"level");
+    const scalar level = readScalar(is);
     dictionary all(dict);
     dictionary& channels = all.subDict("channels");
     for (const word& name : channels.toc())

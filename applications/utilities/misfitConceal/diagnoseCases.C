@@ -3,10 +3,99 @@
 
 #include "concealedSet.H"
 #include "diagnosis.H"
+#include "gaussianProcess.H"
 #include "report.H"
 
 #include "IFstream.H"
 #include "OSspecific.H"
+
+#include <nlohmann/json.hpp>
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::misfit;
+using json = nlohmann::ordered_json;
+
+//- The second rival: the calibrated base, and what a Gaussian process has learnt
+//  from what it leaves at the fitted channels
+json rival(const finding& f, const scalar trigger)
+{
+    json all = json::array();
+    if (f.held.empty())
+    {
+        return all;
+    }
+    const gaussianProcess learnt
+    (
+        f.data,
+        f.data.y - f.before,
+        covariance(f.data, trigger).at(f.before)
+    );
+    for (const heldOut& h : f.held)
+    {
+        const whitener white(covariance(h.data, trigger).at(h.before));
+        const vec left = h.data.y - h.before;
+        const scalar n = h.data.size();
+        all.push_back
+        ({
+            {"what", h.what},
+            {"meanSquareBefore", white(left).squaredNorm()/n},
+            {"meanSquareAfter", white(vec(left - learnt(h.data))).squaredNorm()/n}
+        });
+    }
+    return all;
+}
+
+
+//- The first of the explanations as a state, with or without its mechanisms
+runState stateOf(const finding& f, const settings& set, const bool with)
+{
+    const weighed& best = f.explanations.first();
+    runState s;
+    forAll(set.parameters, i)
+    {
+        s.parameters.insert(set.parameters[i].name, best.best.x[i]);
+    }
+    forAll(best.what.mechanisms, i)
+    {
+        if (with)
+        {
+            s.strengths.insert
+            (
+                set.candidates[best.what.mechanisms[i]].name,
+                best.best.x[set.parameters.size() + i]
+            );
+        }
+    }
+    return s;
+}
+
+
+//- What the named mechanisms change at the fitted channels
+json effect(const finding& f, const settings& set, sampler& ask)
+{
+    json list = json::array();
+    if (f.verdict == "named")
+    {
+        const List<samples> two
+        (
+            ask({stateOf(f, set, true), stateOf(f, set, false)})
+        );
+        if (two[0].ok() && two[1].ok())
+        {
+            for (const scalar d : vec(two[0].fit - two[1].fit))
+            {
+                list.push_back(d);
+            }
+        }
+    }
+    return list;
+}
+
+} // End anonymous namespace
+
 
 void Foam::misfit::diagnoseCases(concealedSide& library, const fileName& folder)
 {
@@ -16,21 +105,20 @@ void Foam::misfit::diagnoseCases(concealedSide& library, const fileName& folder)
     for (const fileName& c : cases)
     {
         Info<< ++n << " of " << cases.size() << ": " << c.name() << endl;
-        if (isFile(c/"verdict.json"))
+        if (isFile(c/"verdict.json", false))
         {
             continue;
         }
-        IFstream is(c/"level");
-        const recordings recorded
-        (
-            withFiles(library.dict(), c, readScalar(is)), c
-        );
-        predictedSampler sampler
-        (
-            recorded, library.predict(), library.bank("A")
-        );
-        diagnosis diagnose(sampler, set);
+        const recordings recorded(withFiles(library.dict(), c), c);
+        predictedSampler ask(recorded, library, library.bank("A"));
+        diagnosis diagnose(ask, set);
         const finding found(diagnose());
+        const json proof =
+        {
+            {"gaussianProcess", rival(found, set.trigger)},
+            {"effect", effect(found, set, ask)}
+        };
+        writeWhole(c/"proof.json", proof.dump(1) + '\n');
         writeWhole(c/"verdict.json", verdictJson(found, c.name()));
         Info<< "    " << found.verdict << ": " << found.told.c_str() << endl;
     }

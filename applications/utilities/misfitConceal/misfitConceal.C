@@ -17,16 +17,21 @@ int main(int argc, char* argv[])
     argList::addNote
     (
         "Make, diagnose and score cases whose cause is concealed. Started in"
-        " the folder of the slice. See validation/concealed/README.md."
+        " the folder of the slice. See its README.md."
     );
     argList::noParallel();
     argList::noFunctionObjects();
     argList::addOption("folder", "dir", "Of the cases");
     argList::addOption("key", "file", "The key; folder/key.json if not given");
+    argList::addOption("bank", "dir", "Of the banks; bank of the slice if not given");
     argList::addOption("make", "n", "Make so many cases and their key");
     argList::addOption("seed", "number", "For make; secret if not given");
     argList::addBoolOption("diagnose", "Diagnose all cases in the folder");
     argList::addBoolOption("score", "Score the verdicts against the key");
+    argList::addBoolOption
+    (
+        "check", "Compute a run of each bank anew and tell the difference"
+    );
     argList::addBoolOption("solver", "Each state by the solver, not the bank");
 
     UPstream::initNull();
@@ -37,24 +42,46 @@ int main(int argc, char* argv[])
     (
         args.lookupOrDefault<fileName>("key", folder/"key.json")
     );
+    const fileName banks
+    (
+        args.lookupOrDefault<fileName>("bank", slice/"bank")
+    );
     const bool solver = args.found("solver");
     mkDir(folder);
 
     if (args.found("make"))
     {
-        concealedSide truth(slice, "truthDict", 1, solver);
+        concealedSide truth(slice, banks, "truth", solver);
         const label seed =
             args.lookupOrDefault<label>("seed", label(std::random_device()() >> 1));
         makeCases(truth, folder, key, args.get<label>("make"), seed);
     }
-    if (args.found("diagnose"))
+    if (args.found("diagnose") || args.found("score"))
     {
-        concealedSide library(slice, "libraryDict", 0, solver);
-        diagnoseCases(library, folder);
+        concealedSide library
+        (
+            slice, banks, "library", solver && args.found("diagnose")
+        );
+        if (args.found("diagnose"))
+        {
+            diagnoseCases(library, folder);
+        }
+        if (args.found("score"))
+        {
+            scoreCases(library, folder, key);
+        }
     }
-    if (args.found("score"))
+    if (args.found("check"))
     {
-        scoreCases(folder, key);
+        scalar largest = 0;
+        for (const word& side : wordList({"truth", "library"}))
+        {
+            largest = max
+            (
+                largest, concealedSide(slice, banks, side, false).difference(1)
+            );
+        }
+        Info<< "check " << largest << endl;
     }
     return 0;
 }

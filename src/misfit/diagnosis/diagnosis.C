@@ -3,8 +3,6 @@
 
 #include "diagnosis.H"
 
-#include <random>
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::misfit::diagnosis::setBounds()
@@ -192,53 +190,6 @@ void Foam::misfit::diagnosis::uncertainty()
 }
 
 
-Foam::List<Foam::misfit::vec>
-Foam::misfit::diagnosis::parameterDesign() const
-{
-    List<vec> design(1, bounds_.mean);
-    for (label i = 0; i < bounds_.nParameters; ++i)
-    {
-        for (const scalar side : {-1., 1.})
-        {
-            vec x = bounds_.mean;
-            x[i] += 1.5*side*bounds_.deviation[i];
-            x[i] = min(max(x[i], bounds_.lower[i]), bounds_.upper[i]);
-            if (x[i] != bounds_.mean[i])
-            {
-                design.append(x);
-            }
-        }
-    }
-    return design;
-}
-
-
-Foam::List<Foam::misfit::vec> Foam::misfit::diagnosis::bankDesign() const
-{
-    std::mt19937 generator(settings_.seed);
-    std::uniform_real_distribution<scalar> any;
-    const label nP = bounds_.nParameters;
-    const label nC = settings_.candidates.size();
-    List<vec> design(1, bounds_.mean);
-    while (design.size() < settings_.bank)
-    {
-        vec x = bounds_.mean;
-        for (label i = 0; i < nP; ++i)
-        {
-            x[i] += (4*any(generator) - 2)*bounds_.deviation[i];
-            x[i] = min(max(x[i], bounds_.lower[i]), bounds_.upper[i]);
-        }
-        for (label k = 0; nC && k < design.size() % 3; ++k)
-        {
-            const label c = min(label(nC*any(generator)), nC - 1);
-            x[nP + c] = any(generator)*bounds_.upper[nP + c];
-        }
-        design.append(x);
-    }
-    return design;
-}
-
-
 void Foam::misfit::diagnosis::calibrationRuns()
 {
     Info<< "S1 calibration" << endl;
@@ -287,7 +238,7 @@ void Foam::misfit::diagnosis::detect()
 
     Info<< "S2 detection" << endl;
     found_.detection = look(*fit_, base);
-    locate(fit_->data().y - base.best.f);
+    locate(fit_->data().y - base.best.f, base.covariance);
     found_.data = fit_->data();
     found_.sigma = base.covariance.diagonal().cwiseSqrt();
     screen(base);
@@ -295,34 +246,6 @@ void Foam::misfit::diagnosis::detect()
     {
         signatureRuns(base);
     }
-}
-
-
-void Foam::misfit::diagnosis::locate(const vec& misfit)
-{
-    // Windows of what earlier ones leave may mean nothing by themselves
-    List<window> clear;
-    for (const window& w : found_.detection.windows)
-    {
-        const segment& s = fit_->data().segments[w.segment];
-        const vec y = s.of(fit_->data().y);
-        const scalar mean =
-            misfit.segment(s.first + w.begin, w.end - w.begin).mean();
-        bool isNew =
-            mean*w.size > 0 && mag(mean) > 0.01*(y.maxCoeff() - y.minCoeff());
-        for (const window& c : clear)
-        {
-            const label both = min(c.end, w.end) - max(c.begin, w.begin);
-            isNew =
-                isNew && !(c.segment == w.segment && 2*both > w.end - w.begin);
-        }
-        if (isNew && found_.detection.p < settings_.significance)
-        {
-            clear.append(w);
-            found_.located.append(told(w, fit_->data(), misfit));
-        }
-    }
-    found_.detection.windows = clear;
 }
 
 

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a misfit is, and what a Gaussian process learns of it.
+
+#include "gaussianProcess.H"
+#include "scan.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+namespace
+{
+
+//- Channels of 20 samples, 0.1 s long, the places 1 m apart
+stacked channels(const label n)
+{
+    stacked data;
+    for (label i = 0; i < n; ++i)
+    {
+        segment s;
+        s.name = "S" + Foam::name(i + 1);
+        s.quantity = "pressure";
+        s.first = 20*i;
+        s.size = 20;
+        s.x = vec::LinSpaced(20, 0.05, 1.95);
+        s.span = 0.1;
+        s.readings = vec::Ones(20);
+        s.uncertainty = 1;
+        s.hasPlace = true;
+        s.place = point(i, 0, 0);
+        data.segments.append(s);
+    }
+    data.y = vec::Zero(20*n);
+    return data;
+}
+
+
+vec hump(const stacked& data, const scalar height)
+{
+    vec y = vec::Zero(data.size());
+    for (const segment& s : data.segments)
+    {
+        s.of(y) = height*(-(s.x.array() - 1).square()/0.08).exp();
+    }
+    return y;
+}
+
+} // End anonymous namespace
+
+
+TEST(misfitStretches, aHumpIsOneStretchWithItsLengthAndSign)
+{
+    const stacked data(channels(2));
+    vec misfit = vec::Zero(40);
+    misfit.segment(25, 6).setConstant(-3);
+    misfit[28] = -1;
+    const List<window> found
+    (
+        stretches(data, misfit, mat::Identity(40, 40), 2)
+    );
+    ASSERT_EQ(found.size(), 1);
+    EXPECT_EQ(found[0].segment, 1);
+    EXPECT_EQ(found[0].begin, 5);
+    EXPECT_EQ(found[0].end, 11);
+    EXPECT_NEAR(found[0].size, -16/std::sqrt(6.0), 1e-12);
+}
+
+
+TEST(misfitStretches, theSignAndALongGapDivide)
+{
+    const stacked data(channels(1));
+    vec misfit = vec::Zero(20);
+    misfit.segment(2, 3).setConstant(4);
+    misfit.segment(5, 3).setConstant(-4);
+    misfit.segment(11, 2).setConstant(-5);
+    EXPECT_EQ(stretches(data, misfit, mat::Identity(20, 20), 2).size(), 3);
+}
+
+
+TEST(misfitStretches, aSingleSampleMustBeFurtherOff)
+{
+    const stacked data(channels(1));
+    vec misfit = vec::Zero(20);
+    misfit[7] = 2.5;
+    EXPECT_TRUE(stretches(data, misfit, mat::Identity(20, 20), 2).empty());
+    misfit[7] = 3.5;
+    EXPECT_EQ(stretches(data, misfit, mat::Identity(20, 20), 2).size(), 1);
+}
+
+
+TEST(misfitGaussianProcess, aSmoothMisfitIsLearntAndNoiseIsNot)
+{
+    stacked data(channels(3));
+    data.y = 10*vec::Ones(60) + hump(data, 20);
+    const vec misfit = hump(data, 20);
+    const gaussianProcess learnt(data, misfit, mat::Identity(60, 60));
+    EXPECT_LT((learnt(data) - misfit).norm(), 0.1*misfit.norm());
+
+    const gaussianProcess nothing(data, vec::Zero(60), mat::Identity(60, 60));
+    EXPECT_LT(nothing(data).norm(), 1e-12);
+}
+
+
+TEST(misfitGaussianProcess, aChannelBetweenTwoIsExpectedToDoAsThey)
+{
+    stacked data(channels(3));
+    data.y = hump(data, 20);
+    stacked between(channels(1));
+    between.segments[0].place = point(0.5, 0, 0);
+    const gaussianProcess learnt(data, data.y, mat::Identity(60, 60));
+    const vec there = hump(between, 20);
+    EXPECT_LT((learnt(between) - there).norm(), 0.2*there.norm());
+}
+
+
+TEST(misfitGaussianProcess, anotherQuantityIsNotTouched)
+{
+    stacked data(channels(2));
+    data.y = hump(data, 20);
+    stacked level(channels(1));
+    level.segments[0].quantity = "length";
+    const gaussianProcess learnt(data, data.y, mat::Identity(40, 40));
+    EXPECT_EQ(learnt(level).norm(), 0);
+}

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The scores of verdicts on concealed cases.
+
+#include "scores.H"
+#include "report.H"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::misfit;
+using json = nlohmann::json;
+
+using nameList = std::vector<std::string>;
+
+bool contains(const nameList& all, const std::string& one)
+{
+    return std::find(all.begin(), all.end(), one) != all.end();
+}
+
+
+//- Share of the misfit at held-out data that is gone [%]; adds none where there was
+//  no misfit to speak of
+void addGone(scalarList& values, const json& held, const std::string& what)
+{
+    for (const json& h : held)
+    {
+        const scalar before = h["meanSquareBefore"];
+        const scalar after = h["meanSquareAfter"];
+        if (h["what"] == what && before > 2)
+        {
+            values.append(100*(before - after)/(before - 1));
+        }
+    }
+}
+
+
+std::string row
+(
+    const std::string& what,
+    const interval& i,
+    const std::string& goal
+)
+{
+    return what + ','
+      + (
+            i.n
+          ? shortNumber(i.value) + ',' + shortNumber(i.low) + ','
+              + shortNumber(i.high)
+          : std::string(",,")
+        )
+      + ',' + std::to_string(i.n) + ',' + goal + ',' + against(i, goal) + '\n';
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * openedCase * * * * * * * * * * * * * * * * * //
+
+std::vector<std::string> Foam::misfit::openedCase::truth() const
+{
+    nameList all;
+    for (const json& m : key["mechanisms"])
+    {
+        all.push_back(m["name"]);
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+
+std::vector<std::string> Foam::misfit::openedCase::names() const
+{
+    std::vector<std::string> all(verdict["names"]);
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+
+bool Foam::misfit::openedCase::nothingWrong() const
+{
+    bool right = named();
+    const auto real = truth();
+    for (const std::string& name : names())
+    {
+        right = right && contains(real, name);
+    }
+    return right;
+}
+
+
+Foam::scalar Foam::misfit::openedCase::overlap() const
+{
+    scalar both = 0;
+    scalar lengths = 0;
+    for (const window& a : seen.places)
+    {
+        const segment& s = data->segments[a.segment];
+        const scalar from = s.x[a.begin] - 0.5*s.span;
+        const scalar to = s.x[a.end - 1] + 0.5*s.span;
+        lengths += to - from;
+        for (const json& b : verdict["located"])
+        {
+            if (b["channel"] == s.name)
+            {
+                both += max
+                (
+                    min(to, b["to"].get<scalar>())
+                  - max(from, b["from"].get<scalar>()),
+                    0.0
+                );
+            }
+        }
+    }
+    if (seen.places.empty())
+    {
+        return -1;
+    }
+    for (const json& b : verdict["located"])
+    {
+        lengths += b["to"].get<scalar>() - b["from"].get<scalar>();
+    }
+    return 2*both/lengths;
+}
+
+
+Foam::scalar Foam::misfit::openedCase::onset() const
+{
+    scalar real = GREAT;
+    scalar found = GREAT;
+    scalar end = 0;
+    for (const window& a : seen.places)
+    {
+        const segment& s = data->segments[a.segment];
+        real = min(real, s.x[a.begin] - 0.5*s.span);
+        end = max(end, s.x[s.size - 1]);
+    }
+    for (const json& b : verdict["located"])
+    {
+        found = min(found, b["from"].get<scalar>());
+    }
+    return
+        seen.places.empty() ? -1
+      : found == GREAT ? end : mag(found - real);
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::misfit::scores::addRemoved(const openedCase& c)
+{
+    addGone(probes_.values, c.verdict["heldOut"], "scored channels");
+    addGone(experiment_.values, c.verdict["heldOut"], "experiment C");
+    const json& rival = c.proof["gaussianProcess"];
+    addGone(probesRival_.values, rival, "scored channels");
+    addGone(experimentRival_.values, rival, "experiment C");
+}
+
+
+void Foam::misfit::scores::addPhysics(const openedCase& c)
+{
+    const bool strong = c.seen.overAll >= seenFrom;
+    const bool all = c.named() && c.names() == c.truth();
+    if (c.kind() == "single")
+    {
+        if (strong)
+        {
+            single_.count(all);
+            singleOrSet_.count
+            (
+                all
+             || (c.said() == "set" && contains(c.names(), c.truth().front()))
+            );
+        }
+        if (c.seen.overNoise >= seenFrom)
+        {
+            singleNoise_.count(all);
+        }
+    }
+    else if (strong)
+    {
+        pair_.count(all);
+        pairPart_.count(!c.named() || c.nothingWrong());
+    }
+    if (strong && c.overlap() >= 0)
+    {
+        const segment& s = c.data->segments.first();
+        places_.values.append(c.overlap());
+        onset_.values.append(100*c.onset()/(s.duration() + s.span));
+    }
+    if (all && c.namedSize > 0)
+    {
+        size_.values.append(100*mag(c.namedSize/c.seen.overNoise - 1));
+    }
+    if (c.named())
+    {
+        addRemoved(c);
+    }
+}
+
+
+// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
+
+void Foam::misfit::scores::add(const openedCase& c)
+{
+    const bool strong = c.seen.overAll >= seenFrom;
+    bool right = false;
+    if (c.kind() == "null")
+    {
+        right = c.said() == "none";
+        falseAlarm_.count(!right);
+    }
+    else if (c.kind() == "single" || c.kind() == "pair")
+    {
+        right =
+            c.kind() == "pair" ? c.nothingWrong()
+          : c.named() && c.names() == c.truth();
+        addPhysics(c);
+    }
+    else if (c.kind() == "outside")
+    {
+        right = c.said() == "unknown";
+        wrong_.count(c.named());
+        if (strong)
+        {
+            unknown_.count(right);
+        }
+    }
+    else
+    {
+        right =
+            (c.said() == "sensor" || c.said() == "registration")
+         && c.names() == nameList({c.key["faulty"].get<std::string>()});
+        blamed_.count(c.named());
+        if (strong)
+        {
+            sensor_.count(right);
+        }
+    }
+    if (c.named())
+    {
+        precision_.count(c.nothingWrong());
+    }
+    brier_.values.append(sqr(c.verdict["confidence"].get<scalar>() - right));
+}
+
+
+std::string Foam::misfit::scores::rows() const
+{
+    std::string text("score,value,low,high,cases,goal,says\n");
+    for (const share* s :
+        {
+            &falseAlarm_, &single_, &singleNoise_, &singleOrSet_, &pair_,
+            &pairPart_, &precision_, &unknown_, &wrong_, &blamed_, &sensor_
+        })
+    {
+        interval i(ofShare(s->hits, s->n));
+        for (scalar* x : {&i.value, &i.low, &i.high})
+        {
+            *x *= 100;
+        }
+        text += row(s->what, i, s->goal);
+    }
+    for (const list* l :
+        {
+            &places_, &onset_, &size_, &probes_, &probesRival_, &experiment_,
+            &experimentRival_
+        })
+    {
+        text += row(l->what, ofMedian(l->values), l->goal);
+    }
+    return text + row(brier_.what, ofMean(brier_.values), brier_.goal);
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where and when recording and simulation part, and what could be seen at all.
+
+#include "diagnosis.H"
+
+void Foam::misfit::diagnosis::locate
+(
+    const vec& misfit,
+    const mat& covariance
+)
+{
+    List<window> clear;
+    if (found_.detection.p < settings_.significance)
+    {
+        clear = stretches(fit_->data(), misfit, covariance, settings_.beyond);
+        if (clear.empty())
+        {
+            // Chance says no, yet no sample is far off: the strongest window
+            clear = found_.detection.windows;
+            clear.setSize(min(clear.size(), 1));
+        }
+    }
+    for (const window& w : clear)
+    {
+        found_.located.append(told(w, fit_->data(), misfit));
+    }
+    found_.detection.windows = clear;
+}
+
+
+Foam::misfit::visibility Foam::misfit::diagnosis::visible()
+{
+    uncertainty();
+    calibrationRuns();
+    visibility v;
+    v.sensors = covariance(fit_->data(), 0).at(fit_->data().y);
+    v.all = fit_->uncertainty().at(fit_->surface()(bounds_.mean));
+    v.calibrated = withFitted
+    (
+        v.all,
+        fit_->surface().slopes(bounds_.mean).leftCols(bounds_.nParameters),
+        bounds_.deviation.head(bounds_.nParameters)
+    );
+    return v;
+}
