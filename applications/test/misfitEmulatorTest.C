@@ -162,7 +162,8 @@ TEST(misfitBank, eachCandidateIsInAsManyRunsAsTheOthers)
     set.bank = 26;
     nothing sampler;
     HashTable<label> runs;
-    for (const runState& s : diagnosis(sampler, set).plan()[1].second())
+    const auto stages(diagnosis(sampler, set).plan());
+    for (const runState& s : stages[1].second())
     {
         for (const word& name : s.strengths.toc())
         {
