@@ -54,7 +54,14 @@ void tellPlan
     const label refits = (set.refit + 1)*set.common;
     Info<< "S6 refit: " << refits << " to " << refits*set.passes
         << " runs at states that S5 will find" << nl
-        << "S7 gates: 2 runs of each held-out experiment" << nl << nl
+        << "S7 gates: 2 runs of each held-out experiment" << nl;
+    if (set.correction.size())
+    {
+        Info<< "S8 refit: at most " << 4*set.passes*set.common
+            << " runs, and 2 of each held-out experiment; none where S7 has"
+            << " an answer" << nl;
+    }
+    Info<< nl
         << n << " runs are known beforehand; a state that two stages share is"
         << " run once" << endl;
 }

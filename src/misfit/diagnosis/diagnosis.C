@@ -365,6 +365,7 @@ const Foam::misfit::finding& Foam::misfit::diagnosis::operator()()
     askGates();
     Info<< "S9 verdict" << endl;
     decide();
+    correct();
     return found_;
 }
 
@@ -401,6 +402,7 @@ Foam::misfit::diagnosis::plan() const
     if (settings_.bank)
     {
         add("S1 and S5, a bank of random runs", bankDesign());
+        stages.append(correctionPlan());
         return stages;
     }
     add("S1 calibration", parameterDesign());
@@ -416,5 +418,6 @@ Foam::misfit::diagnosis::plan() const
         }
     }
     add("S5 signatures (around the calibrated state, not the one shown)", design);
+    stages.append(correctionPlan());
     return stages;
 }

@@ -97,6 +97,17 @@ Foam::misfit::sampledModel::copy() const
 
 
 std::unique_ptr<Foam::misfit::sampledModel>
+Foam::misfit::sampledModel::withVariables(const variableBounds& bounds) const
+{
+    auto other = std::make_unique<sampledModel>(data_, bounds, trigger_);
+    other->repeats_ = repeats_;
+    other->averaged_ = averaged_;
+    other->differences_ = differences_;
+    return other;
+}
+
+
+std::unique_ptr<Foam::misfit::sampledModel>
 Foam::misfit::sampledModel::without
 (
     const label segment,

@@ -170,6 +170,7 @@ void Foam::misfit::samples::add(const samples& other)
     addTo(gate, other.gate);
     addTo(score, other.score);
     addTo(possible, other.possible);
+    met = other.met;
 }
 
 
@@ -244,6 +245,7 @@ Foam::misfit::predictedSampler::operator()(const List<runState>& states)
             all[i].gate = stack(recordings_, channels(e, purpose::gate), p);
             all[i].score = stack(recordings_, channels(e, purpose::score), p);
             all[i].possible = possibleStack(recordings_, data_, e, p);
+            all[i].met = p.met;
         }
     }
     return all;

@@ -14,13 +14,20 @@ Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
             "FoamFile", "commands", "files", "ranks", "jobs", "timeLimit",
             "experiments", "channels", "heldOut", "samples", "parameters",
             "candidates", "packing", "packings", "common", "resolution",
-            "bank", "trigger", "faults", "decision", "draws", "seed", "shared"
+            "bank", "trigger", "faults", "decision", "draws", "seed", "shared",
+            "correction"
         }
     );
 
     settings s;
     s.parameters = readParameters(keywords::sub(dict, "parameters"));
     s.candidates = readCandidates(keywords::sub(dict, "candidates"));
+    s.correction = correction(dict).elements();
+    s.correctionMost =
+        keywords::sub(dict, "correction").getOrDefault<label>
+        (
+            "most", s.correctionMost
+        );
     s.packings =
         dict.found("packing") ? dict.getOrDefault<label>("packings", 20) : 1;
     s.common = min(dict.getOrDefault<label>("common", 3), s.packings);

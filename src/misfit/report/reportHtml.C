@@ -247,6 +247,54 @@ std::string apart(const finding& f)
 }
 
 
+std::string freeCorrection(const correctionFound& c)
+{
+    if (!c.asked)
+    {
+        return "";
+    }
+    std::string text
+    (
+        "<h2>A free correction</h2>\n<p>No candidate explains what is missing, so"
+        " a correction without a mechanism was fitted: " + escaped(c.told)
+      + " It gains " + shortNumber(c.gain) + " in score.</p>\n"
+    );
+    std::vector<row> rows;
+    for (const correctionFound::part& p : c.parts)
+    {
+        rows.push_back
+        ({
+            p.words, shortNumber(p.value) + " +- " + shortNumber(2*p.deviation)
+        });
+    }
+    text += rows.empty() ? "" : table({"what it acts like", "value (95 %)"}, rows);
+    rows.clear();
+    for (const correctionFound::law& l : c.laws)
+    {
+        if (rows.size() < 5)
+        {
+            rows.push_back({l.words, shortNumber(l.lead)});
+        }
+    }
+    text +=
+        rows.empty() ? ""
+      : table({"laws in dimensionless numbers", "score ahead of it"}, rows);
+    rows.clear();
+    for (const heldOut& h : c.held)
+    {
+        rows.push_back
+        ({
+            h.what + " (" + channels(h) + ")", shortNumber(h.squareBefore),
+            shortNumber(h.squareAfter), percent(removed(h))
+        });
+    }
+    return
+        text
+      + (rows.empty() ? std::string()
+          : table({"not used to find it", "mean square before", "after", "gone"}, rows));
+}
+
+
 std::string rest(const finding& f)
 {
     std::string text;
@@ -310,7 +358,7 @@ std::string Foam::misfit::reportHtml
     }
     return
         header(title) + verdict(f) + "<h2>Before and after</h2>\n" + series
-      + where(f) + map + calibration(f) + explanations(f, f.library)
+      + where(f) + map + freeCorrection(f.correction) + calibration(f) + explanations(f, f.library)
       + gates(f) + apart(f) + rest(f)
       + "<p>States asked for: " + std::to_string(f.nRuns)
       + ". The same in numbers: verdict.json.</p>\n</body></html>\n";

@@ -116,10 +116,10 @@ json located(const finding& f)
 }
 
 
-json heldOuts(const finding& f)
+json heldOuts(const List<heldOut>& held)
 {
     json all = json::array();
-    for (const heldOut& h : f.held)
+    for (const heldOut& h : held)
     {
         all.push_back
         ({
@@ -130,6 +130,51 @@ json heldOuts(const finding& f)
         });
     }
     return all;
+}
+
+
+//- What S8 found; null where it was not asked for
+json freeCorrection(const correctionFound& c)
+{
+    if (!c.asked)
+    {
+        return nullptr;
+    }
+    json parts = json::array();
+    for (const correctionFound::part& p : c.parts)
+    {
+        parts.push_back
+        ({
+            {"name", p.name},
+            {"words", p.words},
+            {"value", p.value},
+            {"deviation", p.deviation}
+        });
+    }
+    json laws = json::array();
+    for (const correctionFound::law& l : c.laws)
+    {
+        laws.push_back
+        ({
+            {"family", l.family},
+            {"groups", list(l.groups)},
+            {"words", l.words},
+            {"lead", l.lead}
+        });
+    }
+    return
+    {
+        {"words", c.told},
+        {"gain", c.gain},
+        {"elements", parts},
+        {"laws", laws},
+        {"explainedByFirstLaw", c.explained},
+        {"transfers", c.transfers},
+        {"named", c.named},
+        {"chanceOfWhatIsLeft", c.left},
+        {"heldOut", heldOuts(c.held)},
+        {"failed", list(c.failed)}
+    };
 }
 
 
@@ -213,7 +258,8 @@ std::string Foam::misfit::verdictJson(const finding& f, const string& title)
         {"located", located(f)},
         {"calibration", parameters(f)},
         {"gates", gates(f)},
-        {"heldOut", heldOuts(f)},
+        {"heldOut", heldOuts(f.held)},
+        {"freeCorrection", freeCorrection(f.correction)},
         {"posterior", posterior(f)},
         {"dropped", dropped(f)},
         {"apart", apart(f)},

@@ -168,6 +168,12 @@ void Foam::misfit::caseChange::apply
 ) const
 {
     const fileName path(caseFolder/file_);
+    if (newFile_ && !isFile(path, false))
+    {
+        OFstream os(path);
+        os  << "FoamFile { version 2.0; format ascii; class dictionary;"
+            << " object " << path.name() << "; }" << nl;
+    }
     if (!isFile(path, false))
     {
         FatalErrorInFunction

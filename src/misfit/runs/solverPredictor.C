@@ -55,6 +55,10 @@ Foam::string Foam::misfit::told(const runState& state)
     {
         os << ", other " << state.resolution;
     }
+    if (state.noting)
+    {
+        os << ", the water noted";
+    }
     return os.str();
 }
 
@@ -97,6 +101,7 @@ Foam::misfit::solverPredictor::changes(const runState& state) const
             add(c.changes, strength);
         }
     }
+    add(correction_.changes(state.strengths, state.noting, template_), 0);
     return all;
 }
 
@@ -228,6 +233,10 @@ Foam::misfit::prediction Foam::misfit::solverPredictor::read
             p.failure = fault(o.of(), p.channels[i]);
         }
     }
+    if (p.ok() && state.noting)
+    {
+        p.met = correction_.met(store_.caseOf(run));
+    }
     return p;
 }
 
@@ -244,9 +253,10 @@ Foam::misfit::solverPredictor::solverPredictor
     recordings_(recorded),
     parameters_(readParameters(keywords::sub(dict, "parameters"))),
     candidates_(readCandidates(keywords::sub(dict, "candidates"))),
+    correction_(dict),
+    template_(templateCase),
     packing_(readChanges(dict, "packing")),
-    store_(templateCase, dict),
-    placesChecked_(false)
+    store_(templateCase, dict)
 {
     const dictionary experiments(keywords::sub(dict, "experiments"));
     for (const word& name : recorded.experiments())

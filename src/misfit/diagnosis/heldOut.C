@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How well data that were not used to find an answer are matched with it.
+
+#include "finding.H"
+
+Foam::misfit::heldOut Foam::misfit::compared
+(
+    const string& what,
+    const purpose use,
+    const stacked& data,
+    const vec& before,
+    const vec& after,
+    const mat& covariance
+)
+{
+    const whitener white(covariance);
+    const auto square = [&](const vec& f)
+    {
+        return white(vec(data.y - f)).squaredNorm()/data.size();
+    };
+    return
+    {
+        what, use, data, before, after, covariance.diagonal().cwiseSqrt(),
+        square(before), square(after)
+    };
+}
+
+
+Foam::scalar Foam::misfit::removed(const heldOut& h)
+{
+    return
+        h.squareBefore > 1
+      ? min((h.squareBefore - h.squareAfter)/(h.squareBefore - 1), 1.0) : 0;
+}

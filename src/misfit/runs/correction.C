@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A free correction of the simulation, for what no candidate explains: pushes on
+// the water by station and time, and a factor on the drag.
+
+#include "correction.H"
+#include "keywords.H"
+#include "writtenTable.H"
+
+#include "OSspecific.H"
+#include "StringStream.H"
+
+#include <cmath>
+
+namespace
+{
+
+using namespace Foam;
+
+//- Nodes that must rise
+scalarList nodes(const dictionary& dict, const word& key)
+{
+    const scalarList list(dict.get<scalarList>(key));
+    bool rises = list.size();
+    for (label i = 1; i < list.size(); ++i)
+    {
+        rises = rises && list[i] > list[i - 1];
+    }
+    if (!rises)
+    {
+        FatalIOErrorInFunction(dict)
+            << key << ' ' << list << " of the correction must rise, and be one"
+            << " or more" << exit(FatalIOError);
+    }
+    return list;
+}
+
+
+//- Distances of a node to its neighbours; at an end that of the other side. One
+//  alone needs it from the dictionary
+Pair<scalar> reachOf
+(
+    const dictionary& dict,
+    const word& key,
+    const scalarList& list,
+    const label i
+)
+{
+    if (dict.found(key) || list.size() == 1)
+    {
+        const scalar given = dict.get<scalar>(key);
+        if (given <= 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << key << ' ' << given << " must be above zero"
+                << exit(FatalIOError);
+        }
+        return Pair<scalar>(given, given);
+    }
+    const label last = list.size() - 1;
+    const scalar before = i > 0 ? list[i] - list[i - 1] : list[1] - list[0];
+    const scalar after =
+        i < last ? list[i + 1] - list[i] : list[last] - list[last - 1];
+    return Pair<scalar>(before, after);
+}
+
+
+scalar sizeOf(const dictionary& dict)
+{
+    const scalar size = dict.get<scalar>("size");
+    if (size <= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "size " << size << " of a correction is what is likely; it must"
+            << " be above zero" << exit(FatalIOError);
+    }
+    return size;
+}
+
+
+word numbered(const word& family, const label i, const label j)
+{
+    return family + Foam::name(i + 1) + '_' + Foam::name(j + 1);
+}
+
+} // End anonymous namespace
+
+
+Foam::string Foam::misfit::told
+(
+    const correctionElement& e,
+    const scalar value
+)
+{
+    OStringStream os;
+    os.precision(3);
+    if (e.family == "push")
+    {
+        os << "a push of " << mag(value) << " N/m3 on the water "
+            << (value < 0 ? "against" : "along") << " (" << e.direction.x()
+            << ' ' << e.direction.y() << ' ' << e.direction.z() << ") at "
+            << e.place << " m (" << e.place - e.reach.first() << " to "
+            << e.place + e.reach.second() << "), around " << e.time << " s ("
+            << e.time - e.lasting.first() << " to "
+            << e.time + e.lasting.second() << ')';
+    }
+    else
+    {
+        os << std::exp(value) << " times the drag around the void fraction "
+            << e.voidFraction << " and the Reynolds number " << e.Reynolds;
+    }
+    return os.str();
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::misfit::correction::readPush(const dictionary& dict)
+{
+    keywords::check
+    (
+        dict,
+        {
+            "direction", "stations", "times", "reach", "lasting", "size",
+            "phase", "up"
+        }
+    );
+    const scalarList stations(nodes(dict, "stations"));
+    const scalarList times(nodes(dict, "times"));
+    for (const word key : {"phase", "up"})
+    {
+        if (dict.found(key))
+        {
+            ofPush_.add(dict.lookupEntry(key, keyType::LITERAL));
+        }
+    }
+    correctionElement e;
+    e.family = "push";
+    e.size = sizeOf(dict);
+    e.direction = dict.getOrDefault("direction", e.direction);
+    e.direction /= max(mag(e.direction), VSMALL);
+    forAll(stations, i)
+    {
+        forAll(times, j)
+        {
+            e.name = numbered("push", i, j);
+            e.place = stations[i];
+            e.reach = reachOf(dict, "reach", stations, i);
+            e.time = times[j];
+            e.lasting = reachOf(dict, "lasting", times, j);
+            elements_.append(e);
+        }
+    }
+}
+
+
+void Foam::misfit::correction::readDrag(const dictionary& dict)
+{
+    keywords::check(dict, {"voidFraction", "Reynolds", "size"});
+    voidFractions_ = nodes(dict, "voidFraction");
+    Reynolds_ = nodes(dict, "Reynolds");
+    if (voidFractions_.first() <= 0 || Reynolds_.first() <= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "voidFraction " << voidFractions_ << " and Reynolds "
+            << Reynolds_ << " of the drag's correction must be above zero"
+            << exit(FatalIOError);
+    }
+    correctionElement e;
+    e.family = "drag";
+    e.size = sizeOf(dict);
+    forAll(voidFractions_, i)
+    {
+        forAll(Reynolds_, j)
+        {
+            e.name = numbered("drag", i, j);
+            e.voidFraction = voidFractions_[i];
+            e.Reynolds = Reynolds_[j];
+            elements_.append(e);
+        }
+    }
+}
+
+
+Foam::string Foam::misfit::correction::push
+(
+    const correctionElement& e,
+    const scalar force
+) const
+{
+    OStringStream os;
+    os.precision(10);
+    os << "{ type locatedPush; libs (\"libfluidClosures.so\"); direction "
+        << e.direction << "; force " << force << "; place " << e.place
+        << "; reach " << e.reach << "; time " << e.time << "; lasting "
+        << e.lasting << "; ";
+    ofPush_.write(os, false);
+    os << '}';
+    return os.str();
+}
+
+
+Foam::string Foam::misfit::correction::drag
+(
+    const HashTable<scalar>& strengths
+) const
+{
+    OStringStream os;
+    os.precision(10);
+    os << "{ voidFraction (";
+    for (const scalar e : voidFractions_)
+    {
+        os << ' ' << e;
+    }
+    os << " ); Reynolds (";
+    for (const scalar Re : Reynolds_)
+    {
+        os << ' ' << Re;
+    }
+    os << " ); logarithm (";
+    forAll(voidFractions_, i)
+    {
+        os << " (";
+        forAll(Reynolds_, j)
+        {
+            os << ' ' << strengths.lookup(numbered("drag", i, j), 0);
+        }
+        os << " )";
+    }
+    os << " ); }";
+    return os.str();
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::misfit::correction::correction(const dictionary& misfitDict)
+{
+    const dictionary dict
+    (
+        keywords::sub
+        (
+            misfitDict, "correction", wordList({"push", "drag", "most"})
+        )
+    );
+    if (dict.found("push"))
+    {
+        readPush(keywords::sub(dict, "push"));
+    }
+    if (dict.found("drag"))
+    {
+        readDrag(keywords::sub(dict, "drag"));
+    }
+}
+
+
+// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
+
+Foam::List<Foam::misfit::caseChange> Foam::misfit::correction::changes
+(
+    const HashTable<scalar>& strengths,
+    const bool noting,
+    const fileName& templateCase
+) const
+{
+    const fileName options
+    (
+        isFile(templateCase/"system/fvOptions")
+     && !isFile(templateCase/"constant/fvOptions")
+      ? "system/fvOptions" : "constant/fvOptions"
+    );
+
+    List<caseChange> all;
+    bool dragChanges = false;
+    for (const correctionElement& e : elements_)
+    {
+        const scalar value = strengths.lookup(e.name, 0);
+        if (e.family == "drag")
+        {
+            dragChanges = dragChanges || value != 0;
+        }
+        else if (value != 0 || noting)
+        {
+            all.append(caseChange(options, e.name, push(e, value)));
+        }
+    }
+    if (dragChanges)
+    {
+        all.append
+        (
+            caseChange
+            (
+                "constant/granularProperties",
+                "interphaseForces/drag/correction",
+                drag(strengths)
+            )
+        );
+    }
+    return all;
+}
+
+
+Foam::HashTable<Foam::misfit::conditions>
+Foam::misfit::correction::met(const fileName& caseFolder) const
+{
+    HashTable<conditions> all;
+    for (const correctionElement& e : elements_)
+    {
+        if (!isDir(caseFolder/"postProcessing"/e.name))
+        {
+            continue;
+        }
+
+        // Time share U depth voidFraction: means over the steps, by their share
+        const writtenTable table(caseFolder, e.name, "locatedPush.dat");
+        conditions mean;
+        mean.voidFraction = 0;
+        scalar sum = 0;
+        for (label row = 1; row < table.rows().size(); ++row)
+        {
+            const scalar weight =
+                table.value(row, 1)
+               *(table.value(row, 0) - table.value(row - 1, 0));
+            sum += weight;
+            mean.velocity += weight*table.value(row, 2);
+            mean.depth += weight*table.value(row, 3);
+            mean.voidFraction += weight*table.value(row, 4);
+        }
+        if (sum > 0)
+        {
+            mean.velocity /= sum;
+            mean.depth /= sum;
+            mean.voidFraction /= sum;
+        }
+        else
+        {
+            mean.voidFraction = 1;
+        }
+        all.insert(e.name, mean);
+    }
+    return all;
+}
