@@ -211,6 +211,33 @@ TEST(misfitChannel, onlyTheIntervalCounts)
 }
 
 
+TEST(misfitChannel, aNumberAloneIsOneSampleInSI)
+{
+    files f;
+    const channel c(make(f, "value 3; unit kPa; recorder logger;"));
+    EXPECT_TRUE(c.isRecorded());
+    EXPECT_FALSE(c.overTime());
+    EXPECT_EQ(c.at(), 0);
+    EXPECT_EQ(c.recorder(), "logger");
+    ASSERT_EQ(c.size(), 1);
+    EXPECT_NEAR(c.sampled()[0], 3000, 1e-9);
+
+    series simulated;
+    simulated.x = {0.0};
+    simulated.y = {7.0};
+    EXPECT_NEAR(c.sampled(simulated)[0], 7, 1e-12);
+}
+
+
+TEST(misfitChannel, aNumberAloneWithoutItsUnitOrBesideAFileIsRefused)
+{
+    const std::string good("t_s,p_Pa\n0,1\n1,2\n2,4\n");
+    expectSays(refusal(good, "value 3;"), "needs its unit");
+    expectSays(refusal(good, "value 3; unit Pa; file \"S1.csv\";"), "no file");
+    expectSays(refusal(good, "value 3; unit mm;"), "no unit of pressure");
+}
+
+
 TEST(misfitChannel, theQuietTimeBeforeTheArrivalShowsTheNoise)
 {
     // Noise that forgets by half from reading to reading, then a step
@@ -259,7 +286,7 @@ TEST(misfitChannel, aWrongUnitIsRefused)
 
 TEST(misfitChannel, whatIsNoFiniteNumberIsRefusedWithItsLine)
 {
-    for (const char* bad : {"nan", "inf", "1.2.3", "", "12 Pa"})
+    for (const char* bad : {"nan", "inf", "1e999", "1.2.3", "", "12 Pa"})
     {
         const std::string said
         (

@@ -332,6 +332,26 @@ TEST(misfitRuns, aProbeOutsideTheMeshIsRefused)
 }
 
 
+TEST(misfitRuns, aNumberAloneIsTheLastLineOfItsTable)
+{
+    const fakeCase c;
+    mkDir(c.folder()/"postProcessing/out/0");
+    c.write("postProcessing/out/0/out.dat", "# Time y\n0 5\n1 6\n2 7\n");
+    IStringStream is
+    (
+        "quantity length; uncertainty 1; value 3; unit mm;"
+        " simulated { type table; function out; file out.dat; column y; }"
+    );
+    const channel recorded
+    (
+        "depth", dictionary(is), purpose::fit, c.folder(), 40
+    );
+    const series s(observer::New(recorded)->read(c.folder()));
+    EXPECT_NEAR(recorded.sampled(s)[0], 7, 1e-12);
+    EXPECT_NEAR(recorded.sampled()[0], 0.003, 1e-12);
+}
+
+
 TEST(misfitRuns, aChannelThatNoTableMatchesIsRefused)
 {
     const fakeCase c;

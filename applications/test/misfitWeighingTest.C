@@ -5,6 +5,8 @@
 #include "misfitWorld.H"
 #include "testNumber.H"
 
+#include "scalarList.H"
+
 #include <gtest/gtest.h>
 
 using namespace Foam;
@@ -16,6 +18,29 @@ namespace
 vec number(const scalar a)
 {
     return vec::Constant(1, a);
+}
+
+
+//- Channels that are a number alone each, known to 0.02
+stacked numbers(const scalarList& values)
+{
+    stacked data;
+    data.y = vec::Zero(values.size());
+    forAll(values, i)
+    {
+        segment s;
+        s.name = "n" + Foam::name(i);
+        s.quantity = "length";
+        s.first = i;
+        s.size = 1;
+        s.x = vec::Zero(1);
+        s.overTime = false;
+        s.readings = vec::Ones(1);
+        s.uncertainty = 0.02;
+        data.segments.append(s);
+        data.y[i] = values[i];
+    }
+    return data;
 }
 
 
@@ -128,6 +153,140 @@ TEST(misfitFaults, theOthersDoWhatTheySay)
     const vec swapped = sensorFault(w.data, kind::swapped, 0, 1)(f, vec(0));
     EXPECT_NEAR(swapped[20], 7, 1e-12);
     EXPECT_NEAR(swapped[60], s.x[20], 1e-12);
+}
+
+
+TEST(misfitFaults, theClockOfARecorderMovesAllItsChannels)
+{
+    world w;
+    const label n = w.data.segments.size();
+    w.data.segments[0].recorder = w.data.segments[2].recorder = "camera";
+    vec f = vec::Zero(w.data.size());
+    for (const segment& s : w.data.segments)
+    {
+        s.of(f) = s.x;
+    }
+    const List<sensorFault> all
+    (
+        possibleFaults(w.data, {sensorFault::kind::clock})
+    );
+    ASSERT_EQ(all.size(), n + 1);
+    EXPECT_EQ(all[0].told(), "clock of camera");
+    EXPECT_EQ(all[0].told(number(0.3)), "camera's clock is 0.3 s late");
+
+    const vec moved = f - all[0](f, number(0.3));
+    for (label i = 0; i < n; ++i)
+    {
+        const bool here = i == 0 || i == 2;
+        EXPECT_NEAR
+        (
+            moved[w.data.segments[i].first + 20], here ? 0.3 : 0, 1e-9
+        );
+    }
+
+    // Of channels that were held out, those of the recorder are late as well
+    stacked held(w.data);
+    held.segments[0].recorder = "";
+    const vec there = f - all[0].elsewhere(held, f, number(0.3));
+    EXPECT_NEAR(there[held.segments[0].first + 20], 0, 1e-12);
+    EXPECT_NEAR(there[held.segments[2].first + 20], 0.3, 1e-9);
+    EXPECT_EQ((all[1].elsewhere(held, f, number(0.3)) - f).norm(), 0);
+}
+
+
+TEST(misfitWeighing, aLateRecorderIsTakenForThatAndNotForItsChannels)
+{
+    world w(20);
+    w.data.segments[0].recorder = w.data.segments[1].recorder = "logger";
+    const responseSurface surface(w.bank(120, 2));
+    const vec f = w(w.bounds.mean);
+    const List<sensorFault> clocks
+    (
+        possibleFaults(w.data, {sensorFault::kind::clock})
+    );
+    const List<weighed> list(explain(w, surface, clocks[0](f, number(0.15))));
+    ASSERT_TRUE(list.first().what.fault != nullptr);
+    EXPECT_EQ(list.first().what.fault->told(), "clock of logger");
+}
+
+
+TEST(misfitFaults, aNumberAloneHasNoTimeAndNoShape)
+{
+    const stacked data(numbers({1.0, 2.0}));
+    EXPECT_EQ(data.segments[0].duration(), 1);
+    EXPECT_EQ(data.segments[1].range(data.y), 2);
+
+    using kind = sensorFault::kind;
+    const List<sensorFault> all
+    (
+        possibleFaults
+        (
+            data,
+            {
+                kind::lag, kind::gain, kind::zero, kind::drift, kind::clock,
+                kind::clogged, kind::swapped, kind::misplaced
+            }
+        )
+    );
+    ASSERT_EQ(all.size(), 2);
+    EXPECT_EQ(all[0].told(), "gain of n0");
+    EXPECT_EQ(all[1].told(), "gain of n1");
+}
+
+
+TEST(misfitWeighing, numbersAloneNameAMechanism)
+{
+    // One parameter and two mechanisms, each with its own effect on six numbers
+    static constexpr label n = 6;
+    const auto truth = [](const vec& x)
+    {
+        vec f(n);
+        for (label i = 0; i < n; ++i)
+        {
+            f[i] = 1 + 0.1*x[0] + 0.1*i*x[1] + 0.3*(i % 2)*x[2];
+        }
+        return f;
+    };
+    vec recorded(vec::Zero(3));
+    recorded << 0.3, 0.8, 0;
+
+    stacked data(numbers(scalarList(n, 1.0)));
+    data.y = truth(recorded);
+    variableBounds bounds;
+    bounds.nParameters = 1;
+    bounds.mean = bounds.deviation = bounds.lower = vec::Zero(3);
+    bounds.deviation[0] = 0.5;
+    bounds.lower[0] = -2;
+    bounds.upper = vec::Constant(3, 2);
+
+    mat x = mat::Zero(3, 7);
+    for (label k = 0; k < 3; ++k)
+    {
+        x(k, 1 + 2*k) = 0.5;
+        x(k, 2 + 2*k) = 1;
+    }
+    mat y(n, x.cols());
+    for (label k = 0; k < x.cols(); ++k)
+    {
+        y.col(k) = truth(x.col(k));
+    }
+    const responseSurface surface(x, y, bounds.mean, vec(vec::Ones(3)));
+    const covariance known(data, 0);
+    const List<weighed> list
+    (
+        weighing(data, surface, bounds, known).all
+        (
+            {0, 1},
+            possibleFaults(data, {sensorFault::kind::gain}),
+            true
+        )
+    );
+    EXPECT_EQ(list.first().what.mechanisms, List<label>({0}));
+    EXPECT_NEAR(list.first().best.x[1], 0.8, 0.1);
+    for (const weighed& w : list)
+    {
+        EXPECT_TRUE(std::isfinite(w.score));
+    }
 }
 
 

@@ -42,7 +42,7 @@ Foam::word Foam::misfit::phaseOf
 {
     if (!s.overTime)
     {
-        return "profile";
+        return s.isNumber() ? "number" : "profile";
     }
     const vec v = s.of(y).array() - y[s.first];
     label peak = 0;
@@ -78,8 +78,7 @@ Foam::string Foam::misfit::told
     const segment& s = data.segments[w.segment];
     const scalar mean =
         misfit.segment(s.first + w.begin, w.end - w.begin).mean();
-    const scalar range = s.of(data.y).maxCoeff() - s.of(data.y).minCoeff();
-    const scalar share = 100*mag(mean)/max(range, VSMALL);
+    const scalar share = 100*mag(mean)/max(s.range(data.y), VSMALL);
 
     OStringStream os;
     os.precision(3);
@@ -89,10 +88,17 @@ Foam::string Foam::misfit::told
         os << " at (" << s.place.x() << ' ' << s.place.y() << ' '
             << s.place.z() << ')';
     }
-    os << ", " << s.x[w.begin] - 0.5*s.span << " to "
-        << s.x[w.end - 1] + 0.5*s.span << (s.overTime ? " s" : " m")
-        << ": the simulation is " << share << " % of the range too "
-        << (mean > 0 ? "low" : "high") << " (" << mag(w.size)
-        << " sigma), " << phaseOf(s, data.y, w).c_str();
+    if (!s.isNumber())
+    {
+        os << ", " << s.x[w.begin] - 0.5*s.span << " to "
+            << s.x[w.end - 1] + 0.5*s.span << (s.overTime ? " s" : " m");
+    }
+    os << ": the simulation is " << share
+        << (s.isNumber() ? " % too " : " % of the range too ")
+        << (mean > 0 ? "low" : "high") << " (" << mag(w.size) << " sigma)";
+    if (!s.isNumber())
+    {
+        os << ", " << phaseOf(s, data.y, w).c_str();
+    }
     return os.str();
 }

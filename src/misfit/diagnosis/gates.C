@@ -287,18 +287,27 @@ void Foam::misfit::diagnosis::addHeldOut()
 {
     const computed before(lookUp(baseline()));
     const computed after(lookUp(best()));
+    const vec ofFault =
+        hypothesisModel(fit_->surface(), bounds_, best().what).ofFault
+        (
+            best().best.x
+        );
     const auto add = [&]
     (
         const string& what,
         const purpose use,
         const stacked& data,
         const vec& a,
-        const vec& b,
+        const vec& computedAfter,
         const covariance* known
     )
     {
-        if (data.size() && a.size() == data.size() && b.size() == a.size())
+        if (data.size() && a.size() == data.size() && computedAfter.size() == a.size())
         {
+            const vec b =
+                best().what.fault
+              ? best().what.fault->elsewhere(data, computedAfter, ofFault)
+              : computedAfter;
             const mat c =
                 known
               ? known->at(b) : covariance(data, settings_.trigger).at(b);

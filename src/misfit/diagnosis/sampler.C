@@ -21,6 +21,7 @@ segment describe(const channel& c, const label first)
     segment s;
     s.name = c.name();
     s.quantity = c.quantity();
+    s.recorder = c.recorder();
     s.first = first;
     s.size = c.size();
     s.x = toVec(c.centre());
@@ -43,8 +44,8 @@ segment describe(const channel& c, const label first)
 }
 
 
-//- Channels of an experiment that were not recorded, at 40 times of those that
-//  were
+//- Channels of an experiment that were not recorded, at 40 times of their
+//  interval, or else of those that were
 stacked possible(const recordings& all, const word& experiment)
 {
     stacked data;
@@ -63,11 +64,14 @@ stacked possible(const recordings& all, const word& experiment)
     {
         const bool wanted =
             !c.isRecorded() && c.overTime() && c.experiment() == experiment;
-        if (wanted && last > first)
+        const bool given = c.interval().first() > -GREAT;
+        const scalar from = given ? c.interval().first() : first;
+        const scalar to = given ? c.interval().second() : last;
+        if (wanted && to > from)
         {
             segment s(describe(c, n));
             s.size = 40;
-            s.x = vec::LinSpaced(s.size, first, last);
+            s.x = vec::LinSpaced(s.size, from, to);
             data.segments.append(s);
             n += s.size;
         }

@@ -107,7 +107,12 @@ void Foam::misfit::diagnosis::screen(const weighed& base)
         (
             largest,
             vec(part - s.of(base.best.f)).norm()
-           /max(vec(part.array() - part[0]).norm(), VSMALL)
+           /max
+            (
+                s.isNumber()
+              ? mag(part[0]) : vec(part.array() - part[0]).norm(),
+                VSMALL
+            )
         );
     }
 

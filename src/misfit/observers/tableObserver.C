@@ -86,6 +86,12 @@ Foam::misfit::tableObserver::read(const fileName& caseFolder) const
 
     const label x = column(table, x_);
     const label y = column(table, y_);
+    if (of().isNumber())
+    {
+        const label last = table.rows().size() - 1;
+        return {{0.0}, {scale_*table.value(last, y) + offset_}};
+    }
+
     series s;
     forAll(table.rows(), i)
     {

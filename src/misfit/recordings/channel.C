@@ -42,6 +42,30 @@ Foam::label columnNumber
     );
 }
 
+
+//- The unit of that name; fatal if it is none of the quantity. What is the
+//  subject of the sentence that says so
+const Foam::misfit::unit& checkedUnit
+(
+    const Foam::dictionary& dict,
+    const Foam::word& name,
+    const Foam::word& quantity,
+    const Foam::string& what
+)
+{
+    using namespace Foam;
+    const dimensionSet& wanted = *misfit::findQuantity(quantity);
+    const misfit::unit* found = misfit::findUnit(name);
+    if (!found || found->dimensions != wanted)
+    {
+        FatalIOErrorInFunction(dict)
+            << what.c_str() << " is in " << name << ", which is no unit of "
+            << quantity << ". Valid units: "
+            << flatOutput(misfit::unitsOf(wanted)) << exit(FatalIOError);
+    }
+    return *found;
+}
+
 } // End anonymous namespace
 
 
@@ -60,7 +84,6 @@ Foam::scalarList Foam::misfit::channel::readColumn
     const word key(prefix.empty() ? "unit" : prefix + "Unit");
     const word written(unitInName(header));
     const word name(dict.getOrDefault<word>(key, written));
-    const dimensionSet& wanted = *findQuantity(quantity);
 
     if (name.empty())
     {
@@ -68,7 +91,8 @@ Foam::scalarList Foam::misfit::channel::readColumn
             << "The column \"" << header.c_str() << "\" of " << table.file()
             << " has no known unit. Name it as p_Pa or \"p [Pa]\" in the file,"
             << " or give " << key << " here. Units of " << quantity << ": "
-            << flatOutput(unitsOf(wanted)) << exit(FatalIOError);
+            << flatOutput(unitsOf(*findQuantity(quantity)))
+            << exit(FatalIOError);
     }
     if (!written.empty() && written != name)
     {
@@ -77,16 +101,13 @@ Foam::scalarList Foam::misfit::channel::readColumn
             << " is in " << written << ", but " << key << " says " << name
             << ". Remove one of them" << exit(FatalIOError);
     }
-    if (!findUnit(name) || findUnit(name)->dimensions != wanted)
-    {
-        FatalIOErrorInFunction(dict)
-            << "The column \"" << header.c_str() << "\" of " << table.file()
-            << " is in " << name << ", which is no unit of " << quantity
-            << ". Valid units: " << flatOutput(unitsOf(wanted)) << exit(FatalIOError);
-    }
 
     const scalar scale =
-        findUnit(name)->size
+        checkedUnit
+        (
+            dict, name, quantity,
+            "The column \"" + header + "\" of " + table.file()
+        ).size
        *dict.getOrDefault<scalar>(prefix.empty() ? "scale" : prefix + "Scale", 1);
     const scalar offset =
         dict.getOrDefault<scalar>(prefix.empty() ? "offset" : prefix + "Offset", 0);
@@ -126,6 +147,29 @@ void Foam::misfit::channel::readRecorded
     recorded_.y = readColumn(dict, table, yColumn, quantity_, "");
     source_ = table.file() + ':' + table.names()[yColumn];
     checkOrder(dict, table);
+}
+
+
+void Foam::misfit::channel::readNumber(const dictionary& dict)
+{
+    if (dict.found("file") || !dict.found("unit"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "The channel " << name_ << " has a value, a number alone. It"
+            << " needs its unit and no file. Units of " << quantity_ << ": "
+            << flatOutput(unitsOf(*findQuantity(quantity_)))
+            << exit(FatalIOError);
+    }
+    const scalar size =
+        checkedUnit
+        (
+            dict, dict.get<word>("unit"), quantity_,
+            "The value of the channel " + name_
+        ).size;
+    recorded_.x = scalarList(1, scalar(0));
+    recorded_.y = scalarList(1, size*dict.get<scalar>("value"));
+    source_ = "the value of " + name_;
+    divide(1);
 }
 
 
@@ -181,16 +225,11 @@ void Foam::misfit::channel::checkOrder
 
 void Foam::misfit::channel::cut(const dictionary& dict)
 {
-    const Tuple2<scalar, scalar> interval
-    (
-        dict.getOrDefault("interval", Tuple2<scalar, scalar>(-GREAT, GREAT))
-    );
-
     series kept;
     forAll(recorded_.x, i)
     {
         const scalar x = recorded_.x[i];
-        if (x >= interval.first() && x <= interval.second())
+        if (x >= interval_.first() && x <= interval_.second())
         {
             kept.x.append(x);
             kept.y.append(recorded_.y[i]);
@@ -201,7 +240,7 @@ void Foam::misfit::channel::cut(const dictionary& dict)
     {
         FatalIOErrorInFunction(dict)
             << "The channel " << name_ << " has " << kept.x.size()
-            << " readings in the interval " << interval << "; it needs three."
+            << " readings in the interval " << interval_ << "; it needs three."
             << " The file covers " << recorded_.x.first() << " to "
             << recorded_.x.last() << exit(FatalIOError);
     }
@@ -302,13 +341,18 @@ Foam::misfit::channel::channel
     experiment_(dict.getOrDefault<word>("experiment", "A")),
     purpose_(use),
     quantity_(dict.get<word>("quantity")),
-    at_(dict.getOrDefault<scalar>("at", -1)),
+    recorder_(dict.getOrDefault<word>("recorder", word())),
+    at_(dict.getOrDefault<scalar>("at", dict.found("value") ? 0 : -1)),
     hasPlace_(dict.found("place")),
     place_(dict.getOrDefault<point>("place", Zero)),
     uncertainty_(dict.get<scalar>("uncertainty")),
     memory_(dict.getOrDefault<scalar>("memory", 0)),
     gainUncertainty_(dict.getOrDefault<scalar>("gainUncertainty", 0)),
     zeroUncertainty_(dict.getOrDefault<scalar>("zeroUncertainty", 0)),
+    interval_
+    (
+        dict.getOrDefault("interval", Tuple2<scalar, scalar>(-GREAT, GREAT))
+    ),
     span_(0),
     simulated_(dict.subDict("simulated"))
 {
@@ -316,8 +360,8 @@ Foam::misfit::channel::channel
     (
         dict,
         {
-            "experiment", "quantity", "at", "place", "uncertainty", "memory",
-            "gainUncertainty", "zeroUncertainty", "file", "column", "xColumn",
+            "experiment", "quantity", "recorder", "at", "place", "uncertainty", "memory",
+            "gainUncertainty", "zeroUncertainty", "value", "file", "column", "xColumn",
             "unit", "scale", "offset", "xUnit", "xScale", "xOffset",
             "duplicates", "interval", "simulated"
         }
@@ -337,7 +381,11 @@ Foam::misfit::channel::channel
             << " deviation of a reading in SI units" << exit(FatalIOError);
     }
 
-    if (dict.found("file"))
+    if (dict.found("value"))
+    {
+        readNumber(dict);
+    }
+    else if (dict.found("file"))
     {
         readRecorded(dict, folder);
         cut(dict);

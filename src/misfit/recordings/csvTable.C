@@ -8,6 +8,7 @@
 #include "DynamicList.H"
 #include "stringOps.H"
 
+#include <cfenv>
 #include <cmath>
 #include <sstream>
 
@@ -31,8 +32,12 @@ Foam::stringList cellsOf(const std::string& line)
 //- The number in a cell; not a number if it holds anything else
 Foam::scalar number(const Foam::string& cell)
 {
+    // What is too large must not end the program where overflow is trapped
+    std::fenv_t traps;
+    std::feholdexcept(&traps);
     char* end = nullptr;
     const double value = std::strtod(cell.c_str(), &end);
+    std::fesetenv(&traps);
     return
         cell.empty() || *end || !std::isfinite(value)
       ? std::nan("") : value;

@@ -49,6 +49,34 @@ std::string unitOf(const word& quantity)
 }
 
 
+//- A number alone: recorded with 2 sigma, base and what was found side by side
+std::string numberPlot
+(
+    const segment& s,
+    const label i,
+    const std::string& file,
+    const bool found
+)
+{
+    std::ostringstream os;
+    os  << "set title '" << s.name << " (" << s.quantity << ")'\n"
+        << "set xlabel ''; set xrange [-0.5:" << (found ? 2.5 : 1.5) << "]\n"
+        << "set xtics ('recorded' 0, 'base' 1, 'found' 2)\n"
+        << "set ylabel '" << unitOf(s.quantity) << "'\nplot '" << file
+        << ".dat' index " << i << " using (0):2:(2*$3) with yerrorbars"
+        << " pointtype 7 linecolor 'black',"
+        << " '' index " << i << " using (1):4 with points pointtype 9"
+        << " pointsize 2 linecolor 'blue'";
+    if (found)
+    {
+        os  << ", '' index " << i << " using (2):5 with points pointtype 9"
+            << " pointsize 2 linecolor 'red'";
+    }
+    os << '\n';
+    return os.str();
+}
+
+
 //- A picture of the channels of a file, in columns
 std::string seriesPlot
 (
@@ -72,8 +100,14 @@ std::string seriesPlot
     for (label i = 0; i < n; ++i)
     {
         const segment& s = data.segments[i];
+        if (s.isNumber())
+        {
+            os << numberPlot(s, i, file, found);
+            continue;
+        }
         os  << "set title '" << s.name << " (" << s.quantity << ")'\n"
-            << "set xlabel '" << (s.overTime ? "time [s]" : "distance [m]")
+            << "set autoscale x; set xtics auto; set xlabel '"
+            << (s.overTime ? "time [s]" : "distance [m]")
             << "'\nset ylabel '" << unitOf(s.quantity) << "'\nplot '" << file
             << ".dat' index " << i << " using 1:($2-2*$3):($2+2*$3) with"
             << " filledcurves linecolor 'gray',"
@@ -104,6 +138,20 @@ void writeMap
     const label firstRow
 )
 {
+    // A number alone is as wide as all the others together
+    scalar least = GREAT;
+    scalar most = -GREAT;
+    for (const segment& s : data.segments)
+    {
+        least = min(least, s.isNumber() ? least : s.x[0]);
+        most = max(most, s.isNumber() ? most : s.x[s.size - 1]);
+    }
+    if (most < least)
+    {
+        least = 0;
+        most = 1;
+    }
+
     forAll(data.segments, k)
     {
         const segment& s = data.segments[k];
@@ -111,9 +159,12 @@ void writeMap
         {
             const label j = s.first + i;
             const scalar left =
-                i ? 0.5*(s.x[i] + s.x[i-1]) : s.x[i] - 0.5*s.span;
+                s.isNumber() ? least
+              : i ? 0.5*(s.x[i] + s.x[i-1]) : s.x[i] - 0.5*s.span;
             const scalar right =
-                i + 1 < s.size ? 0.5*(s.x[i] + s.x[i+1]) : s.x[i] + 0.5*s.span;
+                s.isNumber() ? most
+              : i + 1 < s.size ? 0.5*(s.x[i] + s.x[i+1])
+              : s.x[i] + 0.5*s.span;
             os  << left << ' ' << right << ' ' << firstRow + k << ' '
                 << (data.y[j] - before[j])/sigma[j] << ' '
                 << (data.y[j] - after[j])/sigma[j] << '\n';

@@ -111,7 +111,10 @@ std::string verdict(const finding& f)
     );
     for (const heldOut& h : f.held)
     {
-        if (f.strengths.size() && h.squareBefore > 1)
+        const bool faultIsShown =
+            (f.verdict == "sensor" || f.verdict == "registration")
+         && h.squareAfter < h.squareBefore;
+        if ((f.strengths.size() || faultIsShown) && h.squareBefore > 1)
         {
             const scalar removed =
                 (h.squareBefore - h.squareAfter)/(h.squareBefore - 1);

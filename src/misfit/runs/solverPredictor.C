@@ -151,13 +151,21 @@ Foam::misfit::solverPredictor::wanted(const runState& state) const
 }
 
 
-void Foam::misfit::solverPredictor::checkPlacesIn(const fileName& caseFolder)
+void Foam::misfit::solverPredictor::checkPlacesIn
+(
+    const fileName& caseFolder,
+    const word& experiment
+)
 {
-    if (placesChecked_ || !isFile(caseFolder/"constant/polyMesh/faces"))
+    if
+    (
+        placesChecked_.found(experiment)
+     || !isFile(caseFolder/"constant/polyMesh/faces")
+    )
     {
         return;
     }
-    placesChecked_ = true;
+    placesChecked_.insert(experiment);
 
     Time runTime
     (
@@ -172,7 +180,15 @@ void Foam::misfit::solverPredictor::checkPlacesIn(const fileName& caseFolder)
             IOobject::MUST_READ
         )
     );
-    checkPlaces(mesh, observers_);
+    UPtrList<observer> here;
+    for (observer& o : observers_)
+    {
+        if (o.of().experiment() == experiment)
+        {
+            here.append(&o);
+        }
+    }
+    checkPlaces(mesh, here);
 }
 
 
@@ -281,7 +297,7 @@ Foam::misfit::solverPredictor::solverPredictor
     {
         observers_.append(observer::New(c).ptr());
     }
-    checkPlacesIn(templateCase);
+    checkPlacesIn(templateCase, recorded.experiments(purpose::fit).first());
 }
 
 
@@ -300,7 +316,7 @@ Foam::misfit::solverPredictor::predict(const List<runState>& states)
     List<prediction> found(states.size());
     forAll(states, i)
     {
-        checkPlacesIn(store_.caseOf(runs[i]));
+        checkPlacesIn(store_.caseOf(runs[i]), states[i].experiment);
         found[i] = read(states[i], runs[i]);
         if (!found[i].ok())
         {

@@ -5,6 +5,8 @@
 #include "StringStream.H"
 
 #include <cmath>
+#include <map>
+#include <string>
 
 const Foam::Enum<Foam::misfit::sensorFault::kind>
 Foam::misfit::sensorFault::names
@@ -54,8 +56,7 @@ vec numbers(std::initializer_list<scalar> list)
 
 Foam::scalar Foam::misfit::sensorFault::range() const
 {
-    return
-        max(at().of(data_->y).maxCoeff() - at().of(data_->y).minCoeff(), SMALL);
+    return max(at().range(data_->y), SMALL);
 }
 
 
@@ -123,6 +124,18 @@ Foam::misfit::sensorFault::sensorFault
     other_(other),
     factor_(factor)
 {}
+
+
+Foam::misfit::sensorFault::sensorFault
+(
+    const stacked& data,
+    const List<label>& recorded
+)
+:
+    sensorFault(data, kind::clock, recorded.first())
+{
+    recorded_ = recorded;
+}
 
 
 // * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
@@ -271,9 +284,14 @@ Foam::misfit::sensorFault::operator()(const vec& f, const vec& u) const
             break;
         case kind::clock:
         {
-            segment late(s);
-            late.x.array() += u[0];
-            here = across(f, late, s);
+            const List<label> only(1, segment_);
+            for (const label i : recorded_.empty() ? only : recorded_)
+            {
+                const segment& on = data_->segments[i];
+                segment late(on);
+                late.x.array() += u[0];
+                on.of(shown) = across(f, late, on);
+            }
             break;
         }
         case kind::clogged:
@@ -299,6 +317,44 @@ Foam::misfit::sensorFault::operator()(const vec& f, const vec& u) const
 }
 
 
+namespace
+{
+
+//- The channels over time of each recorder
+std::map<std::string, List<label>> recorders(const stacked& data)
+{
+    std::map<std::string, List<label>> channels;
+    forAll(data.segments, i)
+    {
+        const segment& s = data.segments[i];
+        if (s.overTime && !s.recorder.empty())
+        {
+            channels[s.recorder].append(i);
+        }
+    }
+    return channels;
+}
+
+} // End anonymous namespace
+
+
+Foam::misfit::vec Foam::misfit::sensorFault::elsewhere
+(
+    const stacked& other,
+    const vec& f,
+    const vec& u
+) const
+{
+    const auto there(recorders(other));
+    const auto same = there.find
+    (
+        recorded_.empty() ? std::string() : std::string(at().recorder)
+    );
+    return
+        same == there.end() ? f : sensorFault(other, same->second)(f, u);
+}
+
+
 Foam::List<Foam::misfit::sensorFault> Foam::misfit::possibleFaults
 (
     const stacked& data,
@@ -307,6 +363,16 @@ Foam::List<Foam::misfit::sensorFault> Foam::misfit::possibleFaults
 {
     using kind = sensorFault::kind;
     List<sensorFault> all;
+    if (kinds.found(kind::clock))
+    {
+        for (const auto& recorder : recorders(data))
+        {
+            if (recorder.second.size() > 1)
+            {
+                all.append(sensorFault(data, recorder.second));
+            }
+        }
+    }
     forAll(data.segments, i)
     {
         const segment& a = data.segments[i];
@@ -316,7 +382,11 @@ Foam::List<Foam::misfit::sensorFault> Foam::misfit::possibleFaults
                 k == kind::lag || k == kind::drift || k == kind::clock
              || k == kind::clogged;
 
-            if (needsTime && !a.overTime)
+            // A number alone that is off by some is off by a share, too
+            const bool needsSeries =
+                k == kind::zero || k == kind::swapped || k == kind::misplaced;
+
+            if ((needsTime && !a.overTime) || (needsSeries && a.isNumber()))
             {
                 continue;
             }
@@ -337,7 +407,8 @@ Foam::List<Foam::misfit::sensorFault> Foam::misfit::possibleFaults
             {
                 const segment& b = data.segments[j];
                 const bool alike =
-                    a.quantity == b.quantity && a.overTime == b.overTime;
+                    a.quantity == b.quantity && a.overTime == b.overTime
+                 && !b.isNumber();
                 if (alike && i != j && (k == kind::misplaced || i < j))
                 {
                     all.append(sensorFault(data, k, i, j));

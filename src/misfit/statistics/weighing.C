@@ -80,8 +80,7 @@ Foam::misfit::mat Foam::misfit::weighing::unknownShape
     mat k = mat::Zero(data_.size(), data_.size());
     for (const segment& s : data_.segments)
     {
-        const scalar size =
-            amplitude*(s.of(data_.y).maxCoeff() - s.of(data_.y).minCoeff());
+        const scalar size = amplitude*s.range(data_.y);
         for (label i = 0; i < s.size; ++i)
         {
             for (label j = 0; j < s.size; ++j)
