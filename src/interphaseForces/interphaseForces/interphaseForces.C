@@ -72,6 +72,7 @@ Foam::interphaseForces::interphaseForces
         rotationalDragModel::New(family(dict, "rotationalDrag", "Dennis"))
     ),
     lubrication_(exchange.mesh(), offIfAbsent(dict, "lubrication")),
+    history_(offIfAbsent(dict, "history")),
     pressureGradientStrength_
     (
         closure::strength
@@ -107,6 +108,7 @@ Foam::interphaseForces::interphaseForces
     active_.add("rotationalDrag", family(dict, "rotationalDrag", "Dennis"));
 
     active_.add("lubrication", lubrication_.active());
+    active_.add("history", history_.inUse());
 
     dictionary pressureGradient;
     pressureGradient.add("strength", pressureGradientStrength_);
@@ -186,7 +188,8 @@ Foam::Field<Foam::fluidAtGrain> Foam::interphaseForces::around
         set(fluidAtGrain::pressureGradient, pressureGradient);
     }
 
-    if (active_.subDict("virtualMass").get<word>("model") != "none")
+    const word carried(active_.subDict("virtualMass").get<word>("model"));
+    if (carried != "none" || history_.active())
     {
         set(fluidAtGrain::acceleration, rho_*acceleration);
     }
@@ -317,8 +320,13 @@ void Foam::interphaseForces::setForce
     };
 
     const scalar K = N3*drag_->K(state);
-    const scalar C = virtualMass_->coefficient(state)*state.rho*volume;
-    const vector lift(N3*lift_->force(state));
+    const scalar C =
+        virtualMass_->coefficient(state)*state.rho*volume
+      + N3*history_.mass(state);
+    const vector lift
+    (
+        N3*(lift_->force(state) + history_.force(grain.id, state))
+    );
     vector load(freeLoad(grain, fluid, volume, lift));
 
     // A grain that nothing moves has no velocity to eliminate
@@ -370,6 +378,7 @@ void Foam::interphaseForces::prepare
     wallForce_.setSize(n);
     torque_.setSize(n);
     findMeanVelocity();
+    history_.begin(exchange_.grains(), interval);
 
     const Field<fluidAtGrain> atGrains(gather(fluid));
     const scalarField dSauter

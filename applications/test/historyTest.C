@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The history force: its memory against the formula, and two motions of a sphere
+// that are known.
+
+#include "interphaseForces.H"
+#include "standingGrains.H"
+#include "testMesh.H"
+#include "testNumber.H"
+
+#include "IStringStream.H"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+using namespace Foam;
+
+namespace
+{
+
+constexpr scalar pi = M_PI;
+constexpr scalar d = 0.015;
+constexpr scalar rho = 970;
+constexpr scalar mu = 0.373;
+constexpr scalar interval = 1e-3;
+
+const scalar Basset = 1.5*sqr(d)*std::sqrt(pi*rho*mu);
+
+dictionary entries(const string& text)
+{
+    return dictionary(IStringStream(text)());
+}
+
+
+//- Mean over an interval of the force of a slip that changed by 1 within an
+//  interval so many intervals ago, without Basset's factor
+scalar exactWeight(const label j)
+{
+    return
+        4.0/3/std::sqrt(interval)
+       *(
+            std::pow(j + 1., 1.5) - 2*std::pow(scalar(j), 1.5)
+          + std::pow(j - 1., 1.5)
+        );
+}
+
+
+//- One sphere in a box of fluid
+struct sphere
+{
+    testMesh box;
+
+    standingGrains phase;
+
+    grainExchange exchange;
+
+    autoPtr<porosity> pores;
+
+    autoPtr<interphaseForces> forces;
+
+    scalar mass = 1120*pi/6*pow3(d);
+
+    sphere(const string& laws, const bool mobile)
+    :
+        phase(box.mesh()),
+        exchange(box.mesh())
+    {
+        phase.grains = grainSnapshot(1);
+        phase.grains.id = identity(1);
+        phase.grains.position = point(0.4, 0.4, 0.4);
+        phase.grains.mass = mass;
+        phase.radii = scalarField(1, 0.5*d);
+        exchange.locate(phase);
+        pores.reset
+        (
+            new porosity
+            (
+                exchange, entries("model centre; smoothing { model none; }")
+            )
+        );
+        pores->update();
+        forces.reset
+        (
+            new interphaseForces
+            (
+                exchange, *pores,
+                entries("rotationalDrag { model none; }" + laws),
+                Zero, 1, mobile
+            )
+        );
+    }
+
+    //- With the fluid's velocity when the interval begins, and its change
+    vector force(const vector& U, const vector& acceleration)
+    {
+        const label n = box.mesh().nCells();
+        const vectorField none(n, Zero);
+        const scalarField one(n, 1);
+        exchange.locate(phase);
+        pores->update();
+        const vectorField at(n, U);
+        forces->prepare
+        (
+            fluidFields{rho*one, mu*one, one, at, none, none, none}, interval
+        );
+        forces->finish
+        (
+            fluidMeans
+            {
+                vectorField(n, U + 0.5*interval*acceleration),
+                vectorField(n, acceleration), none, none
+            }
+        );
+        return forces->force()[0];
+    }
+};
+
+} // End anonymous namespace
+
+
+TEST(history, remembersByOneOverTheRootOfTime)
+{
+    historyForce h(entries("window 1;"));
+    h.begin(List<locatedGrain>(), interval);
+    const auto error = [&](const label j)
+    {
+        return mag(h.weight(j)/exactWeight(j) - 1);
+    };
+
+    for (const label j : {1, 2, 3, 10, 30, 100})
+    {
+        EXPECT_LT(error(j), 0.005) << j;
+    }
+    testNumber("error of the memory at the end of the window", error(1000));
+    EXPECT_LT(error(1000), 0.05);
+
+    // Beyond it fades
+    EXPECT_LT(h.weight(100000), 0.1*exactWeight(100000));
+}
+
+
+TEST(history, ofAnEvenAccelerationGrowsWithTheRootOfTime)
+{
+    sphere s("drag { model none; } history { window 10; }", false);
+    const scalar a = 2;
+
+    for (label n = 0; n < 300; ++n)
+    {
+        const vector f(s.force(vector(a*n*interval, 0, 0), vector(a, 0, 0)));
+
+        // Mean over the interval of F = 2 a sqrt(t) times Basset's factor
+        const scalar exact =
+            4.0/3*a*Basset*std::sqrt(interval)
+           *(std::pow(n + 1., 1.5) - std::pow(scalar(n), 1.5));
+        ASSERT_NEAR(f.x()/exact, 1, 0.01) << n;
+    }
+}
+
+
+TEST(history, ofAStrengthIsThatShare)
+{
+    sphere all("drag { model none; } history { }", false);
+    sphere half("drag { model none; } history { strength 0.5; }", false);
+    sphere none("drag { model none; } history { strength 0; }", false);
+    const vector a(1, 0, 0);
+    for (label n = 0; n < 5; ++n)
+    {
+        const vector U(n*interval*a);
+        const vector f(all.force(U, a));
+        EXPECT_NEAR(half.force(U, a).x()/f.x(), 0.5, 1e-12);
+        EXPECT_EQ(none.force(U, a), vector(Zero));
+    }
+}
+
+
+TEST(history, slowsASphereThatIsLetGoAsTheEquationHasIt)
+{
+    // m dv/dt = F - K v - C_B int v'/sqrt(t-s) ds from rest, with a tenth of the
+    // step and the sum over all of the past
+    const scalar drive = 2e-3;
+    const scalar K = 3*pi*mu*d;
+    const label fine = 10;
+    const scalar dt = interval/fine;
+    sphere s
+    (
+        "drag { model SchillerNaumann; } history { window 10; }", true
+    );
+    const scalar m = s.mass;
+
+    List<scalar> change;
+    scalar v = 0;
+    scalar computed = 0;
+    for (label n = 0; n < 60; ++n)
+    {
+        for (label k = 0; k < fine; ++k)
+        {
+            scalar past = 0;
+            const label i = change.size();
+            for (label j = 0; j < i; ++j)
+            {
+                past +=
+                    change[j]/dt*2*std::sqrt(dt)
+                   *(std::sqrt(i - j + 1.) - std::sqrt(scalar(i - j)));
+            }
+            const scalar C = Basset*2*std::sqrt(dt);
+            const scalar dv =
+                (drive - K*v - Basset*past)*dt/(m + C + K*dt);
+            change.append(dv);
+            v += dv;
+        }
+
+        // Stokes: Re 1e-2 at most
+        vector& U = s.phase.grains.U[0];
+        U.x() = computed;
+        const vector f(s.force(vector::zero, vector::zero));
+        computed += interval/m*f.x();
+
+        // The drive, behind the drag as a load
+        computed += interval*drive/(m + K*interval + 4.0/3*std::sqrt(interval)*Basset);
+        if (n > 5)
+        {
+            ASSERT_NEAR(computed/v, 1, 0.03) << n;
+        }
+    }
+
+    // Without the past it would be faster
+    const scalar alone = drive/K*(1 - std::exp(-K/m*60*interval));
+    testNumber("velocity over that without history", v/alone);
+    EXPECT_LT(v/alone, 0.9);
+}
