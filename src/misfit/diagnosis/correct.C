@@ -26,6 +26,7 @@ void Foam::misfit::diagnosis::correct()
     if (c.after.size())
     {
         found_.after = c.after;
+        found_.held = c.held;
     }
     if (!c.named)
     {

@@ -217,7 +217,9 @@ Foam::List<Foam::fileName> Foam::misfit::drawFigures
 )
 {
     mkDir(folder);
-    const bool found = f.verdict != "none" && f.verdict != "unknown";
+    const bool found =
+        f.correction.after.size()
+     || (f.verdict != "none" && f.verdict != "unknown");
     List<std::string> names;
     const auto script = [&](const std::string& name, const std::string& text)
     {

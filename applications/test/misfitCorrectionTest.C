@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The free correction as entries of a case, and what is read back.
+
+#include "correction.H"
+
+#include "IStringStream.H"
+#include "OSspecific.H"
+#include "dictionary.H"
+#include "IFstream.H"
+
+#include <cstdlib>
+#include <fstream>
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+namespace
+{
+
+dictionary entries(const string& text)
+{
+    return dictionary(IStringStream(text)());
+}
+
+
+//- A case with a drag law and nothing else
+struct emptyCase
+{
+    fileName folder;
+
+    emptyCase()
+    {
+        std::string name("/tmp/misfitCorrection.XXXXXX");
+        folder = ::mkdtemp(&name[0]);
+        mkDir(folder/"constant");
+        mkDir(folder/"system");
+        std::ofstream(folder/"constant/granularProperties")
+            << "interphaseForces { drag { model Gidaspow; } }\n";
+    }
+
+    ~emptyCase()
+    {
+        rmDir(folder);
+    }
+
+    dictionary read(const fileName& file) const
+    {
+        IFstream is(folder/file);
+        return dictionary(is);
+    }
+
+    void apply(const List<caseChange>& changes) const
+    {
+        for (const caseChange& c : changes)
+        {
+            c.apply(folder, 0);
+        }
+    }
+};
+
+
+const string pushes("push { stations (1 2 4); times (0.5 1); size 50; }");
+
+const string drags
+(
+    "drag { voidFraction (0.5 0.8); Reynolds (1 10 100); size 0.3; }"
+);
+
+
+std::string errorOf(const string& text)
+{
+    try
+    {
+        correction(entries("correction { " + text + " }"));
+    }
+    catch (const Foam::error& problem)
+    {
+        return problem.message();
+    }
+    return "";
+}
+
+} // End anonymous namespace
+
+
+TEST(misfitCorrection, thatIsNotAskedForHasNoElementsAndChangesNothing)
+{
+    const correction none(entries("ranks 1;"));
+    EXPECT_TRUE(none.elements().empty());
+    EXPECT_TRUE(none.changes({}, true, "/nowhere").empty());
+}
+
+
+TEST(misfitCorrection, elementsReachToTheirNeighbours)
+{
+    const correction c(entries("correction { " + pushes + drags + " }"));
+    ASSERT_EQ(c.elements().size(), 12);
+    const correctionElement& e = c.elements()[3];
+    EXPECT_EQ(e.name, "push2_2");
+    EXPECT_EQ(e.place, 2);
+    EXPECT_EQ(e.reach, Pair<scalar>(1, 2));
+    EXPECT_EQ(e.lasting, Pair<scalar>(0.5, 0.5));
+    EXPECT_EQ(c.elements()[4].reach, Pair<scalar>(2, 2));
+    EXPECT_EQ(c.elements().last().name, "drag2_3");
+}
+
+
+TEST(misfitCorrection, isWrittenIntoACaseAsEntriesThatMayBeNew)
+{
+    emptyCase at;
+    const correction c(entries("correction { " + pushes + drags + " }"));
+    HashTable<scalar> strengths;
+    strengths.insert("push1_2", -35);
+    strengths.insert("drag2_1", 0.25);
+    at.apply(c.changes(strengths, false, at.folder));
+
+    const dictionary options(at.read("constant/fvOptions"));
+    EXPECT_FALSE(options.found("push1_1"));
+    const dictionary& push = options.subDict("push1_2");
+    EXPECT_EQ(push.get<word>("type"), "locatedPush");
+    EXPECT_EQ(push.get<scalar>("force"), -35);
+    EXPECT_EQ(push.get<scalar>("time"), 1);
+    EXPECT_EQ(push.get<Pair<scalar>>("reach"), Pair<scalar>(1, 1));
+
+    const dictionary drag
+    (
+        at.read("constant/granularProperties").subDict("interphaseForces")
+       .subDict("drag")
+    );
+    EXPECT_EQ(drag.get<word>("model"), "Gidaspow");
+    const List<scalarList> table
+    (
+        drag.subDict("correction").get<List<scalarList>>("logarithm")
+    );
+    EXPECT_EQ(table[0], scalarList(3, scalar(0)));
+    EXPECT_EQ(table[1][0], 0.25);
+}
+
+
+TEST(misfitCorrection, joinsTheOptionsThatACaseHas)
+{
+    emptyCase at;
+    std::ofstream(at.folder/"system/fvOptions") << "walls { width 1; }\n";
+    const correction c(entries("correction { " + pushes + " }"));
+    at.apply(c.changes({}, true, at.folder));
+
+    const dictionary options(at.read("system/fvOptions"));
+    EXPECT_TRUE(options.found("walls"));
+    EXPECT_EQ(options.size(), 7);
+    EXPECT_EQ(options.subDict("push3_2").get<scalar>("force"), 0);
+    EXPECT_FALSE(isFile(at.folder/"constant/fvOptions"));
+}
+
+
+TEST(misfitCorrection, readsWhatWaterWasMet)
+{
+    emptyCase at;
+    const fileName folder(at.folder/"postProcessing/push1_1/0");
+    mkDir(folder);
+    std::ofstream(folder/"locatedPush.dat")
+        << "# Time share U depth voidFraction\n0.1 0 9 9 0.9\n0.2 1 2 0.1 0.6\n"
+        << "0.4 0.5 4 0.3 0.6\n0.5 0 9 9 0.9\n";
+
+    const HashTable<conditions> met
+    (
+        correction(entries("correction { " + pushes + " }")).met(at.folder)
+    );
+    ASSERT_EQ(met.size(), 1);
+    EXPECT_NEAR(met["push1_1"].velocity, 3, 1e-12);
+    EXPECT_NEAR(met["push1_1"].depth, 0.2, 1e-12);
+    EXPECT_NEAR(met["push1_1"].voidFraction, 0.6, 1e-12);
+}
+
+
+TEST(misfitCorrection, badInputIsToldWithWhatToDo)
+{
+    EXPECT_NE
+    (
+        errorOf("push { stations (2 1); times (1 2); size 1; }").find
+        (
+            "stations 2(2 1) of the correction must rise"
+        ),
+        std::string::npos
+    ) << errorOf("push { stations (2 1); times (1 2); size 1; }");
+    EXPECT_NE
+    (
+        errorOf("push { stations (1); times (1 2); size 1; }").find("reach"),
+        std::string::npos
+    );
+    EXPECT_NE
+    (
+        errorOf("push { stations (1 2); times (1 2); size 0; }").find
+        (
+            "must be above zero"
+        ),
+        std::string::npos
+    );
+    EXPECT_NE
+    (
+        errorOf("drag { voidFraction (0 1); Reynolds (1); size 1; }").find
+        (
+            "must be above zero"
+        ),
+        std::string::npos
+    );
+    EXPECT_NE(errorOf("pull { }").find("pull"), std::string::npos);
+}
