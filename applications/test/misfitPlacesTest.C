@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 using namespace Foam;
 using namespace Foam::misfit;
 
@@ -86,6 +88,47 @@ TEST(misfitStretches, aSingleSampleMustBeFurtherOff)
     EXPECT_TRUE(stretches(data, misfit, mat::Identity(20, 20), 2).empty());
     misfit[7] = 3.5;
     EXPECT_EQ(stretches(data, misfit, mat::Identity(20, 20), 2).size(), 1);
+}
+
+
+TEST(misfitScan, aShapeThatIsLookedForIsSeenWhereNoWindowSeesIt)
+{
+    const stacked data(channels(10));
+    const whitener white(mat::Identity(200, 200));
+    vec shape(200);
+    for (label i = 0; i < 200; ++i)
+    {
+        shape[i] = i % 2 ? 1 : -1;
+    }
+    const vec misfit = 5*shape.normalized();
+    EXPECT_GT(scan(data, white, 1000, 1)(misfit, 0.05).p, 0.05);
+    EXPECT_LT(scan(data, white, 1000, 1, shape)(misfit, 0.05).p, 0.01);
+}
+
+
+TEST(misfitScan, shapesMakeNoMoreFalseAlarms)
+{
+    const stacked data(channels(3));
+    const whitener white(mat::Identity(60, 60));
+    std::mt19937 generator(3);
+    std::normal_distribution<scalar> normal;
+    mat shapes(60, 20);
+    for (scalar& x : shapes.reshaped())
+    {
+        x = normal(generator);
+    }
+    const scan look(data, white, 500, 1, shapes);
+    label alarms = 0;
+    for (label n = 0; n < 400; ++n)
+    {
+        vec misfit(60);
+        for (scalar& x : misfit)
+        {
+            x = normal(generator);
+        }
+        alarms += look(misfit, 0.05).p < 0.05;
+    }
+    EXPECT_LT(alarms, 35);
 }
 
 

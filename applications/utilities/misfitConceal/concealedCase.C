@@ -78,6 +78,13 @@ Foam::misfit::drawing::drawing
             library_.append(name);
         }
     }
+    if (library_.size() < 2 || outside_.empty() || channels_.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "The truth needs two candidates of the library, one that"
+            << " the entry outside names, and a channel to fit"
+            << exit(FatalIOError);
+    }
 }
 
 

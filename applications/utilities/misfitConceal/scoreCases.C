@@ -69,7 +69,8 @@ void Foam::misfit::scoreCases
         "case,kind,truth,snrNoise,snr,verdict,names,confidence,overlap\n"
     );
     label open = 0;
-    for (const json& key : readJson(keyFile)["cases"])
+    const json opened(readJson(keyFile));
+    for (const json& key : opened.at("cases"))
     {
         const fileName here(folder/key["case"].get<std::string>());
         if (!isFile(here/"verdict.json", false))

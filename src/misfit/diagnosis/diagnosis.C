@@ -237,7 +237,7 @@ void Foam::misfit::diagnosis::detect()
     }
 
     Info<< "S2 detection" << endl;
-    found_.detection = look(*fit_, base);
+    found_.detection = look(*fit_, base, shapes(base));
     locate(fit_->data().y - base.best.f, base.covariance);
     found_.data = fit_->data();
     found_.sigma = base.covariance.diagonal().cwiseSqrt();
@@ -252,7 +252,8 @@ void Foam::misfit::diagnosis::detect()
 Foam::misfit::scanned Foam::misfit::diagnosis::look
 (
     const sampledModel& m,
-    const weighed& w
+    const weighed& w,
+    const mat& shapes
 ) const
 {
     const hypothesisModel model(m.surface(), bounds_, w.what);
@@ -264,7 +265,7 @@ Foam::misfit::scanned Foam::misfit::diagnosis::look
     ).cwiseProduct(w.best.x - model.mean());
 
     const whitener white(withFitted(w.covariance, slopes, deviation));
-    const scan look(m.data(), white, settings_.draws, settings_.seed);
+    const scan look(m.data(), white, settings_.draws, settings_.seed, shapes);
     return look
     (
         m.data().y - w.best.f + slopes*fromMean,

@@ -28,6 +28,40 @@ void Foam::misfit::diagnosis::locate
 }
 
 
+Foam::misfit::mat
+Foam::misfit::diagnosis::shapes(const weighed& base) const
+{
+    mat all(fit_->size(), 0);
+    const auto add = [&all](const vec& change)
+    {
+        if (change.norm() > SMALL)
+        {
+            all.conservativeResize(Eigen::NoChange, all.cols() + 1);
+            all.col(all.cols() - 1) = change;
+        }
+    };
+
+    const hypothesisModel model(fit_->surface(), bounds_, base.what);
+    const vec at = model.expand(base.best.x);
+    forAll(settings_.candidates, i)
+    {
+        vec with = at;
+        with[bounds_.nParameters + i] = settings_.candidates[i].strong;
+        add(fit_->surface()(with) - fit_->surface()(at));
+    }
+
+    // A small fault: a hundredth of the way to the largest
+    for (const sensorFault& f : possibleFaults(fit_->data(), settings_.faults))
+    {
+        if (f.size() == 1)
+        {
+            add(f(base.best.f, 0.01*f.upper()) - base.best.f);
+        }
+    }
+    return all;
+}
+
+
 Foam::misfit::visibility Foam::misfit::diagnosis::visible()
 {
     uncertainty();

@@ -35,7 +35,9 @@ void addFunctions(const fileName& caseFolder, const dictionary& functions)
 
 Foam::string Foam::misfit::told(const runState& state)
 {
+    // Whatever precision a case that was read has set for all streams
     OStringStream os;
+    os.precision(6);
     os << "experiment " << state.experiment;
     for (const auto* numbers : {&state.parameters, &state.strengths})
     {

@@ -43,6 +43,23 @@ void Foam::misfit::scan::makeWindows()
 }
 
 
+void Foam::misfit::scan::addShapes(const mat& shapes)
+{
+    for (label i = 0; i < shapes.cols(); ++i)
+    {
+        const vec w = white_(vec(shapes.col(i)));
+        if (w.norm() > VSMALL)
+        {
+            templates_.conservativeResize
+            (
+                Eigen::NoChange, templates_.cols() + 1
+            );
+            templates_.col(templates_.cols() - 1) = w.normalized();
+        }
+    }
+}
+
+
 void Foam::misfit::scan::draw(const label n, const label seed)
 {
     std::mt19937 generator(seed);
@@ -89,13 +106,15 @@ Foam::misfit::scan::scan
     const stacked& data,
     const whitener& white,
     const label draws,
-    const label seed
+    const label seed,
+    const mat& shapes
 )
 :
     data_(data),
     white_(white)
 {
     makeWindows();
+    addShapes(shapes);
     draw(draws, seed);
 }
 
@@ -109,20 +128,20 @@ Foam::misfit::scan::operator()(const vec& misfit, const scalar level) const
     scanned found;
     found.sum = u.squaredNorm();
     found.pSum = chance(sums_, found.sum);
+    found.pWindow = chance
+    (
+        strongest_, vec(templates_.transpose()*u).cwiseAbs().maxCoeff()
+    );
 
     while (found.windows.size() < 20)
     {
-        const vec z = templates_.transpose()*u;
+        const vec z = templates_.leftCols(places_.size()).transpose()*u;
         label best = 0;
         const scalar size = z.cwiseAbs().maxCoeff(&best);
         const scalar p = chance(strongest_, size);
         if (found.windows.size() && p > level)
         {
             break;
-        }
-        if (found.windows.empty())
-        {
-            found.pWindow = p;
         }
         found.windows.append(places_[best]);
         found.windows.last().size = z[best];
