@@ -180,6 +180,7 @@ TEST(leakyWall, letsOutWhatThePressureDrives)
     w.p->boundaryFieldRef()[base] == 600;
     for (label i = 0; i < 60; ++i)
     {
+        ++w.box.time();
         wall.updateCoeffs();
         wall.evaluate();
     }
@@ -193,6 +194,7 @@ TEST(leakyWall, letsOutWhatThePressureDrives)
     w.p->boundaryFieldRef()[base] == 50;
     for (label i = 0; i < 60; ++i)
     {
+        ++w.box.time();
         wall.updateCoeffs();
         wall.evaluate();
     }

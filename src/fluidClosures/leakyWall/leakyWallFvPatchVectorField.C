@@ -21,7 +21,8 @@ Foam::leakyWallFvPatchVectorField::leakyWallFvPatchVectorField
     fixedValueFvPatchVectorField(p, iF),
     conductance_(0),
     outside_(0),
-    strength_(1)
+    strength_(1),
+    looked_(-1)
 {}
 
 
@@ -35,7 +36,8 @@ Foam::leakyWallFvPatchVectorField::leakyWallFvPatchVectorField
     fixedValueFvPatchVectorField(p, iF, dict, false),
     conductance_(dict.get<scalar>("conductance")),
     outside_(dict.lookupOrDefault<scalar>("outside", 0)),
-    strength_(dict.lookupOrDefault<scalar>("strength", 1))
+    strength_(dict.lookupOrDefault<scalar>("strength", 1)),
+    looked_(-1)
 {
     if (!(conductance_ >= 0 && strength_ >= 0))
     {
@@ -66,7 +68,8 @@ Foam::leakyWallFvPatchVectorField::leakyWallFvPatchVectorField
     fixedValueFvPatchVectorField(other, p, iF, mapper),
     conductance_(other.conductance_),
     outside_(other.outside_),
-    strength_(other.strength_)
+    strength_(other.strength_),
+    looked_(other.looked_)
 {}
 
 
@@ -79,8 +82,30 @@ Foam::leakyWallFvPatchVectorField::leakyWallFvPatchVectorField
     fixedValueFvPatchVectorField(other, iF),
     conductance_(other.conductance_),
     outside_(other.outside_),
-    strength_(other.strength_)
+    strength_(other.strength_),
+    looked_(other.looked_)
 {}
+
+
+void Foam::leakyWallFvPatchVectorField::follow(const scalarField& p)
+{
+    scalarField pores(p.size(), scalar(1));
+    if (db().foundObject<volScalarField>("voidFraction"))
+    {
+        pores =
+            patch().lookupPatchField<volScalarField, scalar>("voidFraction");
+    }
+
+    scalarField normal(*this & patch().nf());
+    const scalar dt = db().time().deltaTValue();
+    forAll(normal, face)
+    {
+        const scalar q = outflow(p[face]);
+        const scalar share = 0.5/(1 + q/(9.81*dt));
+        normal[face] += share*(q/pores[face] - normal[face]);
+    }
+    fvPatchVectorField::operator=(normal*patch().nf());
+}
 
 
 void Foam::leakyWallFvPatchVectorField::updateCoeffs()
@@ -91,32 +116,11 @@ void Foam::leakyWallFvPatchVectorField::updateCoeffs()
     }
 
     // The fields are made one after the other: at first there is no pressure
-    if (db().foundObject<volScalarField>("p"))
+    const label now = db().time().timeIndex();
+    if (looked_ != now && db().foundObject<volScalarField>("p"))
     {
-        const scalarField& p =
-            patch().lookupPatchField<volScalarField, scalar>("p");
-        const bool grains = db().foundObject<volScalarField>("voidFraction");
-        const scalarField pores
-        (
-            grains
-          ? scalarField
-            (
-                patch().lookupPatchField<volScalarField, scalar>
-                (
-                    "voidFraction"
-                )
-            )
-          : scalarField(p.size(), 1)
-        );
-        scalarField normal(*this & patch().nf());
-
-        // Half of the way at a time: the pressure answers to the outflow
-        forAll(normal, face)
-        {
-            normal[face] =
-                0.5*normal[face] + 0.5*outflow(p[face])/pores[face];
-        }
-        fvPatchVectorField::operator=(normal*patch().nf());
+        looked_ = now;
+        follow(patch().lookupPatchField<volScalarField, scalar>("p"));
     }
 
     fixedValueFvPatchVectorField::updateCoeffs();
