@@ -375,6 +375,41 @@ TEST(packing, saysWhatIsWrong)
     (
         says
         (
+            complaint(box + grain + "solidFraction 0.5; periodc (y);"),
+            "periodc.*periodic"
+        )
+    );
+    EXPECT_TRUE
+    (
+        says
+        (
+            complaint
+            (
+                "type settled; box (0 0 0) (0.6 0.1 0.05); diameter 0.01;"
+                " soldFraction 0.5; contact { youngsModulus 5e6;"
+                " poissonsRatio 0.3; restitution 0.4; friction 0.7;"
+                " rollingFriction 0.1; }"
+            ),
+            "soldFraction.*solidFraction"
+        )
+    );
+    EXPECT_TRUE
+    (
+        says
+        (
+            complaint
+            (
+                "type settled; box (0 0 0) (0.6 0.1 0.05); diameter 0.01;"
+                " contact { youngsModulus 5e6; poissonsRatio 0.3;"
+                " restitution 0.4; friction 0.7; rolingFriction 0.1; }"
+            ),
+            "rolingFriction.*rollingFriction"
+        )
+    );
+    EXPECT_TRUE
+    (
+        says
+        (
             complaint(box + grain + "solidFraction 0.5; periodic (w);"),
             "x, y and z"
         )

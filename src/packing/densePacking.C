@@ -15,7 +15,14 @@ namespace Foam
 
 Foam::densePacking::densePacking(const dictionary& dict, const vector&)
 :
-    packingModel(dict),
+    packingModel
+    (
+        dict,
+        {
+            "box", "foot", "base", "solidFraction", "mass", "grainMass",
+            "fluidDensity"
+        }
+    ),
     periodic_(packingBox::readPeriodic(dict)),
     diameters_(),
     bounds_()

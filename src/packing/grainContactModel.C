@@ -2,6 +2,8 @@
 // How grains touch while a bed settles: Hertz contacts with friction.
 
 #include "grainContactModel.H"
+
+#include "keywords.H"
 #include "liggghtsInstance.H"
 #include "liggghtsChecks.H"
 
@@ -13,6 +15,14 @@ Foam::grainContactModel::grainContactModel(const dictionary& dict)
 :
     dict_(dict.subDict("contact"))
 {
+    keywords::check
+    (
+        dict_,
+        {
+            "youngsModulus", "poissonsRatio", "restitution", "friction",
+            "rollingFriction"
+        }
+    );
     value("youngsModulus", 1e4, 1e12);
     value("poissonsRatio", 0, 0.5);
     value("restitution", 0.05, 1);

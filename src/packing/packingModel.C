@@ -2,6 +2,7 @@
 // A kind of packing, chosen by the entry "type".
 
 #include "packingModel.H"
+#include "keywords.H"
 #include "overlapRelaxation.H"
 
 namespace Foam
@@ -62,9 +63,13 @@ scalar pushApart(overlapRelaxation& spheres, Random& random)
 } // End namespace Foam
 
 
-Foam::packingModel::packingModel(const dictionary& dict)
+Foam::packingModel::packingModel
+(
+    const dictionary& dict,
+    const wordList& ownKeywords
+)
 :
-    dict_(dict),
+    dict_(checked(dict, ownKeywords)),
     sizes_(dict),
     density_(positive("density")),
     material_(dict.lookupOrDefault<label>("material", 1)),
@@ -76,6 +81,24 @@ Foam::packingModel::packingModel(const dictionary& dict)
             << "material is " << material_ << ", but LIGGGHTS counts its"
             << " materials (atom types) from 1" << exit(FatalIOError);
     }
+}
+
+
+const Foam::dictionary& Foam::packingModel::checked
+(
+    const dictionary& dict,
+    const wordList& ownKeywords
+)
+{
+    wordList valid
+    ({
+        "type", "diameter", "diameters", "density", "material", "seed",
+        "periodic"
+    });
+    valid.append(ownKeywords);
+    keywords::check(dict, valid);
+
+    return dict;
 }
 
 

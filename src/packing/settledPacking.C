@@ -37,7 +37,11 @@ Foam::settledPacking::settledPacking
     const vector& gravity
 )
 :
-    packingModel(dict),
+    packingModel
+    (
+        dict,
+        {"box", "solidFraction", "tileLength", "timeStep", "contact"}
+    ),
     box_(readBox(), packingBox::readPeriodic(dict)),
     gravity_(gravity),
     contact_(dict),

@@ -55,7 +55,10 @@ Foam::DynamicList<Foam::cellWeights::arrival> Foam::cellWeights::follow()
     const label me = Pstream::myProcNo();
     DynamicList<arrival> home;
 
-    while (true)
+    // Irregular cells could send a walk round in circles over ranks
+    const label most = 1000;
+
+    for (label round = 0; ; ++round)
     {
         List<List<traveller>> toRanks(Pstream::nProcs());
         label n = 0;
@@ -79,14 +82,17 @@ Foam::DynamicList<Foam::cellWeights::arrival> Foam::cellWeights::follow()
             {
                 const meshWalker::place end = walker_.walk(t.position, t.cell);
 
-                if (end.rank != me)
+                if (end.rank != me && round < most)
                 {
                     t.cell = end.cell;
                     leaving_[end.rank].append(t);
                 }
                 else
                 {
-                    const arrival a{t.homeEntry, me, end.cell};
+                    const arrival a
+                    {
+                        t.homeEntry, me, end.rank == me ? end.cell : t.cell
+                    };
 
                     if (t.homeRank == me)
                     {

@@ -52,7 +52,7 @@ void Foam::grainExchange::outside(const granularPhase& phase, const label i)
 {
     const point& p = phase.position()[i];
 
-    if (!phase.mayLeave(p))
+    if (!phase.mayLeave(p, phase.velocity()[i]))
     {
         FatalErrorInFunction
             << "Grain " << phase.id()[i] << " is outside the mesh, at " << p

@@ -10,9 +10,9 @@
 #include <liggghts/lammps.h>
 #include <liggghts/modify.h>
 
-Foam::List<Foam::Pair<Foam::vector>> Foam::liggghtsPhase::openings() const
+Foam::List<Foam::liggghtsPhase::opening> Foam::liggghtsPhase::openings() const
 {
-    DynamicList<Pair<vector>> result;
+    DynamicList<opening> result;
 
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
@@ -24,15 +24,22 @@ Foam::List<Foam::Pair<Foam::vector>> Foam::liggghtsPhase::openings() const
 
             if (area > 0)
             {
+                const vector outwards(gSum(areas));
+
                 result.append
                 (
-                    Pair<vector>(gSum(mag(areas)*centres)/area, gSum(areas))
+                    opening
+                    {
+                        gSum(mag(areas)*centres)/area,
+                        outwards/mag(outwards),
+                        boundBox(patch.localPoints(), true)
+                    }
                 );
             }
         }
     }
 
-    return List<Pair<vector>>(std::move(result));
+    return List<opening>(std::move(result));
 }
 
 
@@ -55,11 +62,31 @@ Foam::label Foam::liggghtsPhase::nInserted() const
 }
 
 
-bool Foam::liggghtsPhase::mayLeave(const point& p) const
+bool Foam::liggghtsPhase::mayLeave(const point& p, const vector& U) const
 {
-    for (const Pair<vector>& opening : openings_)
+    for (const opening& way : openings_)
     {
-        if (((p - opening.first()) & opening.second()) > 0)
+        const scalar beyond = (p - way.centre) & way.outwards;
+        const scalar speed = U & way.outwards;
+
+        if (beyond <= 0)
+        {
+            continue;
+        }
+
+        // One that is out for longer was looked at when it left
+        if (beyond > 2*exchangeInterval()*mag(speed))
+        {
+            return true;
+        }
+
+        // Where its centre crossed the plane of the patch; its path bends a little
+        boundBox bounds(way.bounds);
+        bounds.inflate(1e-6);
+        bounds.min() -= vector::uniform(beyond);
+        bounds.max() += vector::uniform(beyond);
+
+        if (bounds.contains(p - beyond/speed*U))
         {
             return true;
         }
@@ -103,7 +130,7 @@ bool Foam::liggghtsPhase::leftAsAllowed
     }
 
     // One that did not come to a side was taken away by a command of the case
-    return out ? mayLeave(leavesAt) : !openings_.empty();
+    return out ? mayLeave(leavesAt, velocity) : !openings_.empty();
 }
 
 

@@ -175,7 +175,9 @@ void Foam::liggghtsPhase::createGrains()
     if (cut.x())
     {
         std::ostringstream os;
-        os << "processors " << cut.x() << ' ' << cut.y() << ' ' << cut.z();
+        // OpenFOAM numbers its parts with x as the fastest
+        os  << "processors " << cut.x() << ' ' << cut.y() << ' ' << cut.z()
+            << " map xyz";
         liggghts_.command(os.str());
     }
 

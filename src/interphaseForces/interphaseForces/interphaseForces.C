@@ -441,7 +441,6 @@ void Foam::interphaseForces::finish(const fluidMeans& means)
     );
     const label n = atGrains.size();
 
-    vectorField exchanged(n);
     force_.setSize(n);
 
     for (label i = 0; i < n; ++i)
@@ -449,17 +448,13 @@ void Foam::interphaseForces::finish(const fluidMeans& means)
         const fluidAtGrain& fluid = atGrains[i];
         const vector gradient(fluid.vectorOf(fluidAtGrain::pressureGradient));
 
-        exchanged[i] =
+        force_[i] =
             (
                 drag0_[i]*fluid.vectorOf(fluidAtGrain::momentum)
               + virtualMass0_[i]*fluid.vectorOf(fluidAtGrain::acceleration)
             )/rhoAround_[i]
           + pressure0_[i]*(gradient - rhoAround_[i]*g_)
-          + explicit_[i];
-
-        force_[i] =
-            exchanged[i]
-          + wallForce_[i]
+          + explicit_[i]
           + porosity_.volumes()[i]
            *(
                 viscousForceStrength_
@@ -468,33 +463,40 @@ void Foam::interphaseForces::finish(const fluidMeans& means)
             );
     }
 
-    sumUp(means, exchanged);
+    sumUp(means);
+
+    // Walls give this one, through the fluid between
+    force_ += wallForce_;
 }
 
 
-void Foam::interphaseForces::sumUp
-(
-    const fluidMeans& means,
-    const vectorField& exchanged
-)
+void Foam::interphaseForces::sumUp(const fluidMeans& means)
 {
     const scalarField& volume = exchange_.mesh().V();
-    vector fluid(Zero);
+    const scalarField& solid = porosity_.solidFraction();
+    vector taken(Zero);
 
     forAll(volume, cell)
     {
-        fluid +=
-            volume[cell]
-           *(
-                dragCoefficient_[cell]*means.U[cell]
-              + virtualMassCoefficient_[cell]*means.acceleration[cell]
-              + pressureShare_[cell]
-               *(means.pressureGradient[cell] - rho_[cell]*g_)
-              + explicitForce_[cell]
-            );
-    }
-    reduce(fluid, sumOp<vector>());
+        vector density
+        (
+            dragCoefficient_[cell]*means.U[cell]
+          + virtualMassCoefficient_[cell]*means.acceleration[cell]
+          + explicitForce_[cell]
+          + pressureShare_[cell]
+           *(means.pressureGradient[cell] - rho_[cell]*g_)
+          - solid[cell]*felt(means.pressureGradient[cell], rho_[cell])
+        );
 
-    residual_ =
-        mag(gSum(exchanged) - fluid)/(gSum(mag(exchanged)) + VSMALL);
+        if (viscousForceStrength_ > 0)
+        {
+            density +=
+                viscousForceStrength_*solid[cell]*means.viscousForce[cell];
+        }
+
+        taken += volume[cell]*density;
+    }
+    reduce(taken, sumOp<vector>());
+
+    residual_ = mag(gSum(force_) - taken)/(gSum(mag(force_)) + VSMALL);
 }
