@@ -172,7 +172,6 @@ json freeCorrection(const correctionFound& c)
         {"transfers", c.transfers},
         {"named", c.named},
         {"chanceOfWhatIsLeft", c.left},
-        {"heldOut", heldOuts(c.held)},
         {"failed", list(c.failed)}
     };
 }
