@@ -7,6 +7,7 @@
 #include "testMesh.H"
 
 #include "IStringStream.H"
+#include "OSspecific.H"
 
 #include <gtest/gtest.h>
 
@@ -139,6 +140,11 @@ TEST(sideWallFriction, isPoiseuilleAtRestAndDarcyWeisbachInHaste)
     (
         "walls", "sideWallFriction",
         entries("type sideWallFriction; width 0.1; friction 0.024;"), box.mesh()
+    );
+
+    EXPECT_TRUE
+    (
+        isFile(box.time().globalPath()/"postProcessing/activePhysics/0/walls")
     );
 
     // Plane Poiseuille flow: dp/dx = 12 mu U/W^2

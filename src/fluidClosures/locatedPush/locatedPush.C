@@ -6,6 +6,7 @@
 #include "OSspecific.H"
 #include "addToRunTimeSelectionTable.H"
 #include "fvMatrices.H"
+#include "inUse.H"
 #include "keywords.H"
 
 namespace Foam
@@ -184,6 +185,7 @@ Foam::fv::locatedPush::locatedPush
         normalised(coeffs_.lookupOrDefault("up", vector(0, 0, 1)))
     );
     openFile();
+    writeInUse(mesh, name, coeffs_);
 }
 
 

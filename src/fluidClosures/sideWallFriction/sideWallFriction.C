@@ -7,6 +7,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "fvMatrices.H"
 #include "fvmSup.H"
+#include "inUse.H"
 #include "keywords.H"
 #include "volFields.H"
 
@@ -45,6 +46,7 @@ Foam::fv::sideWallFriction::sideWallFriction
     }
     fieldNames_ = {"U"};
     applied_.setSize(1, false);
+    writeInUse(mesh, name, coeffs_);
 }
 
 
