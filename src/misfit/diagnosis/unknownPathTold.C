@@ -81,7 +81,8 @@ void Foam::misfit::unknownPath::holdOut
 
     // A push that follows the flow is another one where the flow is another
     const label nP = bounds_.nParameters;
-    found_.transfers = false;
+    label asked = 0;
+    label held = 0;
     for (label i = 1; i < sampler_.data().size(); ++i)
     {
         const observed& other = sampler_.data()[i];
@@ -117,14 +118,15 @@ void Foam::misfit::unknownPath::holdOut
                 gates ? after.gate : after.score,
                 covariance(recorded, settings_.trigger)
             );
-            if (gates)
+            if (gates && recorded.size())
             {
                 const heldOut& h = found_.held.last();
-                found_.transfers =
-                    h.squareAfter < max(0.5*(h.squareBefore + 1), 1.5);
+                ++asked;
+                held += h.squareAfter < max(0.5*(h.squareBefore + 1), 1.5);
             }
         }
     }
+    found_.transfers = asked && held == asked;
 }
 
 
