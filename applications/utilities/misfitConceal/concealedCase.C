@@ -71,11 +71,12 @@ Foam::misfit::drawing::drawing
     outside_(outside),
     channels_(channels)
 {
-    for (const word& name : dict.subDict("candidates").toc())
+    for (const candidate& c : readCandidates(dict.subDict("candidates")))
     {
-        if (!outside.found(name))
+        candidates_.insert(c.name, c);
+        if (!outside.found(c.name))
         {
-            library_.append(name);
+            library_.append(c.name);
         }
     }
     if (library_.size() < 2 || outside_.empty() || channels_.empty())
@@ -91,7 +92,10 @@ Foam::misfit::drawing::drawing
 void Foam::misfit::drawing::add(concealedCase& c, const word& name)
 {
     c.mechanisms.append(name);
-    c.strengths.append(uniform(0.25, 1));
+    c.strengths.append
+    (
+        uniform(candidates_[name].weak, candidates_[name].strong)
+    );
     c.state.strengths.insert(name, c.strengths.last());
 }
 
@@ -115,7 +119,9 @@ Foam::misfit::concealedCase Foam::misfit::drawing::draw()
     const scalar lot = any_(generator_);
     for (const parameter& p : parameters_)
     {
-        const scalar x = p.mean + p.deviation*normal_(generator_);
+        // As far as a bank reaches
+        const scalar z = min(max(normal_(generator_), -2.0), 2.0);
+        const scalar x = p.mean + p.deviation*z;
         c.state.parameters.insert(p.name, min(max(x, p.lower), p.upper));
     }
     c.jitter = 0.005*normal_(generator_);

@@ -56,12 +56,13 @@ public:
 };
 
 
-//- The random states of a bank in all experiments, and other resolutions in the
-//  first
+//- The random states of a bank in all experiments, and other resolutions in those
+//  that decide
 List<runState> bankStates
 (
     const settings& set,
     const wordList& experiments,
+    const wordList& deciding,
     const label packing
 )
 {
@@ -80,11 +81,15 @@ List<runState> bankStates
             }
         }
     }
-    for (const runState& s : stages[0].second())
+    for (const word& e : deciding)
     {
-        if (s.resolution != "base")
+        for (runState s : stages[0].second())
         {
-            states.append(s);
+            if (s.resolution != "base")
+            {
+                s.experiment = e;
+                states.append(s);
+            }
         }
     }
     return states;
@@ -127,7 +132,9 @@ Foam::misfit::concealedSide::concealedSide
     useSolver_(useSolver)
 {
     const settings set(readSettings(dict_));
-    states_ = bankStates(set, bare_.experiments(), packing(side));
+    wordList deciding(bare_.experiments(purpose::fit));
+    deciding.append(bare_.experiments(purpose::gate));
+    states_ = bankStates(set, bare_.experiments(), deciding, packing(side));
     List<runState> states(states_);
     const List<prediction> all(runs(banks/side + ".txt", states));
     forAll(states, i)

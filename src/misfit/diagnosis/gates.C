@@ -148,9 +148,13 @@ Foam::misfit::gate Foam::misfit::diagnosis::heldOutGate
 ) const
 {
     const bool physics = best().what.mechanisms.size();
+
+    // 1 is what uncertainty alone leaves. Of the rest, half must go where
+    // something else is known to be missing too.
+    const scalar rest = max(h.squareBefore - 1, 0.0);
     const scalar limit = max
     (
-        h.squareBefore*(!physics ? 1.1 : best().what.unknown ? 0.5 : 1), 1.5
+        1 + rest*(!physics ? 1.1 : best().what.unknown ? 0.5 : 1), 1.5
     );
     return
     {
@@ -341,18 +345,37 @@ void Foam::misfit::diagnosis::addHeldOut()
         ({
             state(before.variables), state(after.variables)
         });
-        states[0].experiment = states[1].experiment = other.experiment;
+        const bool gates = other.use == purpose::gate;
+        for (label k = 0; gates && k <= settings_.resolutions.size(); ++k)
+        {
+            states.append(state(bounds_.mean));
+            states.last().resolution =
+                k ? settings_.resolutions[k-1] : word("base");
+        }
+        for (runState& s : states)
+        {
+            s.experiment = other.experiment;
+        }
         const List<samples> given(ask(states));
+
+        // The mesh errs there as it does in the experiment that is fitted
+        covariance known(gates ? other.gate : other.score, settings_.trigger);
+        for (label k = 3; k < given.size(); ++k)
+        {
+            if (given[2].ok() && given[k].ok())
+            {
+                known.addDifference(given[k].gate - given[2].gate);
+            }
+        }
         if (given[0].ok() && given[1].ok())
         {
-            const bool gates = other.use == purpose::gate;
             add
             (
                 "experiment " + other.experiment, other.use,
                 gates ? other.gate : other.score,
                 gates ? given[0].gate : given[0].score,
                 gates ? given[1].gate : given[1].score,
-                nullptr
+                &known
             );
         }
     }

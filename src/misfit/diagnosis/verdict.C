@@ -52,18 +52,43 @@ string inWords(const wordList& list, const string& last)
 } // End anonymous namespace
 
 
-void Foam::misfit::diagnosis::prefer()
+void Foam::misfit::diagnosis::putFirst(const string& explanation)
 {
-    // What all rivals have on is the answer, if that alone is one of them
-    const List<weighed> near(rivals());
-    const List<label> core(common(near));
-    forAll(near, i)
+    const wordList names(mechanismNames());
+    forAll(found_.explanations, i)
     {
-        if (core.size() && near[i].what.mechanisms.size() == core.size())
+        if (told(found_.explanations[i].what, names) == explanation)
         {
             std::swap(found_.explanations[i], found_.explanations[0]);
             return;
         }
+    }
+}
+
+
+void Foam::misfit::diagnosis::prefer()
+{
+    // What all rivals have on is the answer, if that alone is one of them
+    const wordList names(mechanismNames());
+    const List<weighed> near(rivals());
+    const List<label> core(common(near));
+    for (const weighed& w : near)
+    {
+        if (core.size() && w.what.mechanisms.size() == core.size())
+        {
+            putFirst(told(w.what, names));
+            break;
+        }
+    }
+
+    // If it leaves more than chance, it is a part of what is missing
+    const bool whole =
+        best().what.mechanisms.size() && !best().what.unknown;
+    if (whole && look(*fit_, best()).p < settings_.adequacy)
+    {
+        hypothesis part(best().what);
+        part.unknown = true;
+        putFirst(told(part, names));
     }
 }
 
