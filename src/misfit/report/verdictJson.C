@@ -222,7 +222,7 @@ json apart(const finding& f)
 std::string Foam::misfit::shortNumber(const scalar value)
 {
     std::ostringstream os;
-    os << std::setprecision(3) << value;
+    os << std::setprecision(4) << value;
     return os.str();
 }
 
