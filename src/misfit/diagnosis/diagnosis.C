@@ -95,23 +95,11 @@ Foam::misfit::diagnosis::means(const List<vec>& variables)
     List<runState> states;
     for (const vec& x : variables)
     {
-        for (label packing = 0; packing < settings_.common; ++packing)
-        {
-            states.append(state(x, packing));
-        }
+        states.append(state(x, 0));
     }
-    const List<samples> all(ask(states));
+    found_.nRuns += states.size()*settings_.common;
 
-    List<samples> mean(variables.size());
-    forAll(mean, i)
-    {
-        for (label packing = 0; packing < settings_.common; ++packing)
-        {
-            mean[i].add(all[i*settings_.common + packing]);
-        }
-        mean[i].divide(settings_.common);
-    }
-    return mean;
+    return sampler_.means(states, settings_.common);
 }
 
 

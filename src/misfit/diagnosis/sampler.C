@@ -234,6 +234,33 @@ Foam::labelList Foam::misfit::predictedSampler::channels
 
 
 Foam::List<Foam::misfit::samples>
+Foam::misfit::sampler::means(const List<runState>& states, const label n)
+{
+    List<runState> packed;
+    for (const runState& s : states)
+    {
+        for (label packing = 0; packing < n; ++packing)
+        {
+            packed.append(s);
+            packed.last().packing = packing;
+        }
+    }
+    const List<samples> all((*this)(packed));
+
+    List<samples> mean(states.size());
+    forAll(mean, i)
+    {
+        for (label packing = 0; packing < n; ++packing)
+        {
+            mean[i].add(all[i*n + packing]);
+        }
+        mean[i].divide(n);
+    }
+    return mean;
+}
+
+
+Foam::List<Foam::misfit::samples>
 Foam::misfit::predictedSampler::operator()(const List<runState>& states)
 {
     const List<prediction> predicted(predictor_.predict(states));

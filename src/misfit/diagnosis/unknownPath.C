@@ -60,13 +60,11 @@ void Foam::misfit::unknownPath::setBounds
 
 Foam::misfit::runState Foam::misfit::unknownPath::state
 (
-    const vec& variables,
-    const label packing
+    const vec& variables
 ) const
 {
     runState s;
     s.experiment = data().experiment;
-    s.packing = packing;
     forAll(settings_.parameters, i)
     {
         s.parameters.insert(settings_.parameters[i].name, variables[i]);
@@ -89,24 +87,11 @@ Foam::misfit::unknownPath::means(const List<vec>& variables)
     List<runState> states;
     for (const vec& x : variables)
     {
-        for (label packing = 0; packing < settings_.common; ++packing)
-        {
-            states.append(state(x, packing));
-        }
+        states.append(state(x));
     }
-    found_.nRuns += states.size();
-    const List<samples> all(sampler_(states));
+    found_.nRuns += states.size()*settings_.common;
 
-    List<samples> mean(variables.size());
-    forAll(mean, i)
-    {
-        for (label packing = 0; packing < settings_.common; ++packing)
-        {
-            mean[i].add(all[i*settings_.common + packing]);
-        }
-        mean[i].divide(settings_.common);
-    }
-    return mean;
+    return sampler_.means(states, settings_.common);
 }
 
 
