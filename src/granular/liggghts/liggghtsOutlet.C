@@ -86,7 +86,7 @@ bool Foam::liggghtsPhase::mayLeave(const point& p, const vector& U) const
         bounds.min() -= vector::uniform(beyond);
         bounds.max() += vector::uniform(beyond);
 
-        if (bounds.contains(p - beyond/speed*U))
+        if (bounds.contains(images_.wrap(p - beyond/speed*U)))
         {
             return true;
         }

@@ -62,6 +62,7 @@ Foam::liggghtsPhase::liggghtsPhase
         keywords::patterns(dict_, "outflow", mesh.boundaryMesh().names())
     ),
     openings_(openings()),
+    images_(mesh),
     liggghts_(mesh.time().globalPath()/"log.liggghts"),
     walls_(mesh, keywords::sub(dict_, "walls"), physicsScript_),
     fluid_(nullptr),

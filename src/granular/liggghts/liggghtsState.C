@@ -7,7 +7,6 @@
 #include "OSspecific.H"
 #include "grainSnapshot.H"
 #include "fpeGuard.H"
-#include "periodicity.H"
 
 #include <fstream>
 
@@ -72,15 +71,13 @@ void Foam::liggghtsPhase::addContacts(grainSnapshot& grains) const
         mine.insert(id_[i], i);
     }
 
-    const periodicity images(mesh_);
-
     for (label row = 0; row < n; ++row)
     {
         const double* c = rows[row];
         const vector force(c[FORCE], c[FORCE + 1], c[FORCE + 2]);
         const vector branch
         (
-            images.shortest
+            images_.shortest
             (
                 vector
                 (
