@@ -4,6 +4,7 @@
 #include "liggghtsPhase.H"
 
 #include "IFstream.H"
+#include "OStringStream.H"
 #include "Time.H"
 #include "addToRunTimeSelectionTable.H"
 #include "fixFluidForce.H"
@@ -51,7 +52,9 @@ Foam::liggghtsPhase::liggghtsPhase
     (
         keywords::sub
         (
-            dict, typeName, {"initial", "physics", "walls", "outflow"}
+            dict,
+            typeName,
+            {"initial", "physics", "variables", "walls", "outflow"}
         )
     ),
     g_(g),
@@ -74,6 +77,7 @@ Foam::liggghtsPhase::liggghtsPhase
 {
     Info<< "Grains: LIGGGHTS" << endl;
 
+    setVariables(dict_.subOrEmptyDict("variables"));
     createGrains();
     liggghtsChecks::units(liggghts_, initialScript_);
     liggghtsChecks::domain(liggghts_, mesh, initialScript_);
@@ -211,6 +215,36 @@ void Foam::liggghtsPhase::createGrains()
     }
 
     liggghtsChecks::boundary(liggghts_, boundary, initialScript_);
+}
+
+
+void Foam::liggghtsPhase::setVariables(const dictionary& variables)
+{
+    for (const entry& variable : variables)
+    {
+        // The header of a file that was included
+        if (variable.keyword() == "FoamFile")
+        {
+            continue;
+        }
+
+        if (variable.isDict() || variable.stream().size() != 1)
+        {
+            FatalIOErrorInFunction(variables)
+                << "A variable of the LIGGGHTS scripts is a name and one number"
+                << " or word, but " << variable.keyword() << " is not." << nl
+                << "    Write for instance: rollingFriction 0.1;"
+                << exit(FatalIOError);
+        }
+
+        OStringStream value;
+        value.precision(17);
+        value << variable.stream()[0];
+        liggghts_.command
+        (
+            "variable " + variable.keyword() + " index " + value.str()
+        );
+    }
 }
 
 

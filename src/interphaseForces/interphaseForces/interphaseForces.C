@@ -3,42 +3,9 @@
 
 #include "interphaseForces.H"
 
-#include "closure.H"
-
 namespace
 {
     using namespace Foam;
-
-    //- The settings of a family, with its default law where none is named
-    dictionary family
-    (
-        const dictionary& dict,
-        const word& name,
-        const word& defaultModel
-    )
-    {
-        dictionary settings(keywords::sub(dict, name));
-
-        if (!settings.found("model"))
-        {
-            settings.add("model", defaultModel);
-        }
-
-        return settings;
-    }
-
-    //- The settings of a closure, of strength 0 if the keyword is absent
-    dictionary offIfAbsent(const dictionary& dict, const word& name)
-    {
-        dictionary settings(keywords::sub(dict, name));
-
-        if (!dict.found(name))
-        {
-            settings.add("strength", scalar(0));
-        }
-
-        return settings;
-    }
 
     //- Share of the load that contacts carried, 0 to 1: the contact force
     //  against the direction of the load, by its size
@@ -64,66 +31,13 @@ Foam::interphaseForces::interphaseForces
     g_(g),
     coarseGraining_(coarseGraining),
     mobile_(mobile),
-    drag_(dragModel::New(family(dict, "drag", "DiFelice"))),
-    lift_(liftModel::New(family(dict, "lift", "none"))),
-    virtualMass_(virtualMassModel::New(family(dict, "virtualMass", "none"))),
-    rotationalDrag_
-    (
-        rotationalDragModel::New(family(dict, "rotationalDrag", "Dennis"))
-    ),
-    lubrication_(exchange.mesh(), offIfAbsent(dict, "lubrication")),
-    history_(offIfAbsent(dict, "history")),
-    pressureGradientStrength_
-    (
-        closure::strength
-        (
-            keywords::sub(dict, "pressureGradient", {"strength"})
-        )
-    ),
-    excessPressureStrength_
-    (
-        closure::strength
-        (
-            keywords::sub(dict, "excessPressure", {"strength"})
-        )
-    ),
-    viscousForceStrength_
-    (
-        dict.found("viscousForce")
-      ? closure::strength
-        (
-            keywords::sub(dict, "viscousForce", {"strength"})
-        )
-      : 0
-    ),
+    laws_(exchange.mesh(), dict),
     dragCoefficient_(exchange.mesh().nCells(), Zero),
     virtualMassCoefficient_(exchange.mesh().nCells(), Zero),
     pressureShare_(exchange.mesh().nCells(), Zero),
     explicitForce_(exchange.mesh().nCells(), Zero),
     residual_(0)
-{
-    active_.add("drag", family(dict, "drag", "DiFelice"));
-    active_.add("lift", family(dict, "lift", "none"));
-    active_.add("virtualMass", family(dict, "virtualMass", "none"));
-    active_.add("rotationalDrag", family(dict, "rotationalDrag", "Dennis"));
-
-    active_.add("lubrication", lubrication_.active());
-    active_.add("history", history_.inUse());
-
-    dictionary pressureGradient;
-    pressureGradient.add("strength", pressureGradientStrength_);
-    active_.add("pressureGradient", pressureGradient);
-
-    dictionary excessPressure;
-    excessPressure.add("strength", excessPressureStrength_);
-    active_.add("excessPressure", excessPressure);
-
-    dictionary viscousForce;
-    viscousForce.add("strength", viscousForceStrength_);
-    active_.add("viscousForce", viscousForce);
-
-    keywords::check(dict, active_.sortedToc());
-}
+{}
 
 
 void Foam::interphaseForces::setTorque
@@ -138,7 +52,7 @@ void Foam::interphaseForces::setTorque
     const locatedGrain& grain = exchange_.grains()[i];
     const scalar inertia = 0.4*grain.mass*sqr(grain.radius);
     const scalar c =
-        pow5(coarseGraining_)*rotationalDrag_->coefficient(state);
+        pow5(coarseGraining_)*laws_.rotationalDrag->coefficient(state);
 
     torque_[i] = c/(1 + c*interval/inertia)*state.relativeSpin;
 }
@@ -188,13 +102,12 @@ Foam::Field<Foam::fluidAtGrain> Foam::interphaseForces::around
         set(fluidAtGrain::pressureGradient, pressureGradient);
     }
 
-    const word carried(active_.subDict("virtualMass").get<word>("model"));
-    if (carried != "none" || history_.active())
+    if (laws_.carriesFluid())
     {
         set(fluidAtGrain::acceleration, rho_*acceleration);
     }
 
-    if (viscousForceStrength_ > 0)
+    if (laws_.viscousForce > 0)
     {
         set(fluidAtGrain::viscousForce, viscousForce);
     }
@@ -250,8 +163,8 @@ Foam::vector Foam::interphaseForces::felt
     const vector atRest(rhoAround*g_);
 
     return
-        excessPressureStrength_ < 1
-      ? atRest + excessPressureStrength_*(gradient - atRest)
+        laws_.excessPressure < 1
+      ? atRest + laws_.excessPressure*(gradient - atRest)
       : gradient;
 }
 
@@ -267,12 +180,12 @@ Foam::vector Foam::interphaseForces::freeLoad
     const vector weight(grain.mass*g_);
     const vector buoyancy
     (
-       -pressureGradientStrength_*volume
+       -laws_.pressureGradient*volume
        *fluid.number(fluidAtGrain::rhoAround)*g_
     );
     const vector viscous
     (
-        viscousForceStrength_*volume
+        laws_.viscousForce*volume
        *fluid.vectorOf(fluidAtGrain::viscousForce)
     );
     const vector load(weight + grain.fluidForce);
@@ -319,13 +232,13 @@ void Foam::interphaseForces::setForce
         dSauter/coarseGraining_
     };
 
-    const scalar K = N3*drag_->K(state);
+    const scalar K = N3*laws_.drag->K(state);
     const scalar C =
-        virtualMass_->coefficient(state)*state.rho*volume
-      + N3*history_.mass(state);
+        laws_.virtualMass->coefficient(state)*state.rho*volume
+      + N3*laws_.history.mass(state);
     const vector lift
     (
-        N3*(lift_->force(state) + history_.force(grain.id, state))
+        N3*(laws_.lift->force(state) + laws_.history.force(grain.id, state))
     );
     vector load(freeLoad(grain, fluid, volume, lift));
 
@@ -333,7 +246,7 @@ void Foam::interphaseForces::setForce
     const scalar m = mobile_ ? grain.mass : GREAT;
     const scalar M = mobile_ ? m/(m + C + K*interval) : 1;
 
-    wallForce_[i] = lubrication_.force
+    wallForce_[i] = laws_.lubrication.force
     (
         grain.position,
         grain.radius,
@@ -351,7 +264,7 @@ void Foam::interphaseForces::setForce
     drag0_[i] = M*K;
     virtualMass0_[i] = M*C;
     pressure0_[i] =
-        (1 - M)*excessPressureStrength_*pressureGradientStrength_*volume;
+        (1 - M)*laws_.excessPressure*laws_.pressureGradient*volume;
     explicit_[i] =
         lift + virtualMass0_[i]*convection - drag0_[i]*meanVelocity_[i]
       + drag1*(meanVelocity_[i] - grain.velocity)
@@ -378,12 +291,12 @@ void Foam::interphaseForces::prepare
     wallForce_.setSize(n);
     torque_.setSize(n);
     findMeanVelocity();
-    history_.begin(exchange_.grains(), interval);
+    laws_.history.begin(exchange_.grains(), interval);
 
     const Field<fluidAtGrain> atGrains(gather(fluid));
     const scalarField dSauter
     (
-        drag_->usesSauterDiameter()
+        laws_.drag->usesSauterDiameter()
       ? porosity_.sauterDiameter()
       : scalarField(n, 1)
     );
@@ -419,7 +332,7 @@ void Foam::interphaseForces::start(const vectorField& pressureGradient)
     forAll(force_, i)
     {
         force_[i] =
-           -pressureGradientStrength_*porosity_.volumes()[i]*gradient[i];
+           -laws_.pressureGradient*porosity_.volumes()[i]*gradient[i];
     }
 }
 
@@ -457,9 +370,9 @@ void Foam::interphaseForces::finish(const fluidMeans& means)
           + explicit_[i]
           + porosity_.volumes()[i]
            *(
-                viscousForceStrength_
+                laws_.viscousForce
                *fluid.vectorOf(fluidAtGrain::viscousForce)
-              - pressureGradientStrength_*felt(gradient, rhoAround_[i])
+              - laws_.pressureGradient*felt(gradient, rhoAround_[i])
             );
     }
 
@@ -488,10 +401,10 @@ void Foam::interphaseForces::sumUp(const fluidMeans& means)
           - solid[cell]*felt(means.pressureGradient[cell], rho_[cell])
         );
 
-        if (viscousForceStrength_ > 0)
+        if (laws_.viscousForce > 0)
         {
             density +=
-                viscousForceStrength_*solid[cell]*means.viscousForce[cell];
+                laws_.viscousForce*solid[cell]*means.viscousForce[cell];
         }
 
         taken += volume[cell]*density;

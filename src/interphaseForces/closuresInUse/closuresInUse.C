@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The laws by which fluid and grains act on each other, as a case chose them.
+
+#include "closuresInUse.H"
+
+#include "closure.H"
+
+namespace
+{
+    using namespace Foam;
+
+    //- The settings of a family, with its default law where none is named
+    dictionary family
+    (
+        const dictionary& dict,
+        const word& name,
+        const word& defaultModel
+    )
+    {
+        dictionary settings(keywords::sub(dict, name));
+
+        if (!settings.found("model"))
+        {
+            settings.add("model", defaultModel);
+        }
+
+        return settings;
+    }
+
+    //- The settings of a closure, of strength 0 if the keyword is absent
+    dictionary offIfAbsent(const dictionary& dict, const word& name)
+    {
+        dictionary settings(keywords::sub(dict, name));
+
+        if (!dict.found(name))
+        {
+            settings.add("strength", scalar(0));
+        }
+
+        return settings;
+    }
+
+    //- The strength of a force that has no other setting
+    scalar strength(const dictionary& dict, const word& name)
+    {
+        return closure::strength(keywords::sub(dict, name, {"strength"}));
+    }
+
+    //- What is told of such a force
+    dictionary told(const scalar strength)
+    {
+        dictionary result;
+        result.add("strength", strength);
+        return result;
+    }
+}
+
+
+Foam::closuresInUse::closuresInUse(const fvMesh& mesh, const dictionary& dict)
+:
+    drag(dragModel::New(family(dict, "drag", "DiFelice"))),
+    lift(liftModel::New(family(dict, "lift", "none"))),
+    virtualMass(virtualMassModel::New(family(dict, "virtualMass", "none"))),
+    rotationalDrag
+    (
+        rotationalDragModel::New(family(dict, "rotationalDrag", "Dennis"))
+    ),
+    lubrication(mesh, offIfAbsent(dict, "lubrication")),
+    history(offIfAbsent(dict, "history")),
+    pressureGradient(strength(dict, "pressureGradient")),
+    excessPressure(strength(dict, "excessPressure")),
+    viscousForce
+    (
+        dict.found("viscousForce") ? strength(dict, "viscousForce") : 0
+    )
+{
+    active.add("drag", family(dict, "drag", "DiFelice"));
+    active.add("lift", family(dict, "lift", "none"));
+    active.add("virtualMass", family(dict, "virtualMass", "none"));
+    active.add("rotationalDrag", family(dict, "rotationalDrag", "Dennis"));
+    active.add("lubrication", lubrication.active());
+    active.add("history", history.inUse());
+    active.add("pressureGradient", told(pressureGradient));
+    active.add("excessPressure", told(excessPressure));
+    active.add("viscousForce", told(viscousForce));
+
+    keywords::check(dict, active.sortedToc());
+}
+
+
+bool Foam::closuresInUse::carriesFluid() const
+{
+    return
+        active.subDict("virtualMass").get<word>("model") != "none"
+     || history.active();
+}
