@@ -4,9 +4,9 @@
 #include "slidingGate.H"
 
 #include "IOdictionary.H"
-#include "OFstream.H"
 #include "OSspecific.H"
 #include "Time.H"
+#include "activePhysics.H"
 #include "keywords.H"
 #include "processorCyclicPolyPatch.H"
 #include "syncTools.H"
@@ -64,7 +64,10 @@ Foam::slidingGate::slidingGate(const fvMesh& mesh, const dictionary& dict)
     }
 
     checkSettings(dict);
-    writeActivePhysics(dict);
+
+    dictionary inUse(dict);
+    inUse.set("strength", strength_);
+    writeActivePhysics(mesh_, "slidingGate", inUse);
 
     const point onPlane(dict.get<point>("point"));
     const vector normal(unit(dict, "normal", dict.get<vector>("normal")));
@@ -223,29 +226,6 @@ void Foam::slidingGate::findExtents(const vector& direction)
     }
 
     reduce(edge_, minOp<scalar>());
-}
-
-
-void Foam::slidingGate::writeActivePhysics(const dictionary& dict) const
-{
-    if (!Pstream::master())
-    {
-        return;
-    }
-
-    const fileName folder
-    (
-        mesh_.time().globalPath()/"postProcessing"/"activePhysics"
-       /mesh_.time().timeName()
-    );
-    mkDir(folder);
-
-    OFstream os(folder/"slidingGate");
-    os  << "// The gate of this run, with its settings" << nl;
-    dictionary written(dict);
-    written.remove("FoamFile");
-    written.set("strength", strength_);
-    written.write(os, false);
 }
 
 

@@ -16,27 +16,6 @@ namespace Foam
 namespace misfit
 {
 
-//- system/misfitDict, or what -dict names
-dictionary readDict(const Time& runTime, const argList& args)
-{
-    const fileName file
-    (
-        args.lookupOrDefault<fileName>("dict", "system/misfitDict")
-    );
-    return IOdictionary
-    (
-        IOobject
-        (
-            file.isAbsolute() ? file : runTime.path()/file,
-            runTime,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
-    );
-}
-
-
 //- List the runs and what they will cost
 void tellPlan
 (
@@ -101,7 +80,9 @@ int main(int argc, char* argv[])
     const argList args(argc, argv);
     Time runTime(Time::controlDictName, args);
 
-    const dictionary dict(readDict(runTime, args));
+    const word dictName("misfitDict");
+    #include "setSystemRunTimeDictionaryIO.H"
+    const IOdictionary dict(dictIO);
     const fileName folder(runTime.path()/"misfit");
     const settings set(readSettings(dict));
     const recordings recorded(dict, runTime.path());

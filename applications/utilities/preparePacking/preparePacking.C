@@ -25,26 +25,6 @@ struct namedPacking
 };
 
 
-IOdictionary readPackingDict(const Time& runTime, const argList& args)
-{
-    const fileName file
-    (
-        args.lookupOrDefault<fileName>("dict", "system/packingDict")
-    );
-    return IOdictionary
-    (
-        IOobject
-        (
-            file.isAbsolute() ? file : runTime.path()/file,
-            runTime,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
-    );
-}
-
-
 //- Gravity of the case [m/s^2]; zero where there is no constant/g, which is
 //  an error only for packings that need it
 vector readGravity(const Time& runTime)
@@ -294,7 +274,9 @@ int main(int argc, char* argv[])
     const argList args(argc, argv);
     Time runTime(Time::controlDictName, args);
 
-    const IOdictionary dict(readPackingDict(runTime, args));
+    const word dictName("packingDict");
+    #include "setSystemRunTimeDictionaryIO.H"
+    const IOdictionary dict(dictIO);
     const boundBox domain(readDomain(dict, runTime));
     const PtrList<namedPacking> packings
     (

@@ -4,9 +4,9 @@
 #include "locatedPush.H"
 
 #include "OSspecific.H"
+#include "activePhysics.H"
 #include "addToRunTimeSelectionTable.H"
 #include "fvMatrices.H"
-#include "inUse.H"
 #include "keywords.H"
 
 namespace Foam
@@ -185,7 +185,7 @@ Foam::fv::locatedPush::locatedPush
         normalised(coeffs_.lookupOrDefault("up", vector(0, 0, 1)))
     );
     openFile();
-    writeInUse(mesh, name, coeffs_);
+    writeActivePhysics(mesh, name, coeffs_);
 }
 
 

@@ -4,10 +4,10 @@
 
 #include "sideWallFriction.H"
 
+#include "activePhysics.H"
 #include "addToRunTimeSelectionTable.H"
 #include "fvMatrices.H"
 #include "fvmSup.H"
-#include "inUse.H"
 #include "keywords.H"
 #include "volFields.H"
 
@@ -46,7 +46,7 @@ Foam::fv::sideWallFriction::sideWallFriction
     }
     fieldNames_ = {"U"};
     applied_.setSize(1, false);
-    writeInUse(mesh, name, coeffs_);
+    writeActivePhysics(mesh, name, coeffs_);
 }
 
 

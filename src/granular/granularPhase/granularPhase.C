@@ -79,6 +79,15 @@ Foam::autoPtr<Foam::granularPhase> Foam::granularPhase::New
 }
 
 
+Foam::dictionary Foam::granularPhase::activePhysics() const
+{
+    dictionary result;
+    result.add("coarseGraining", coarseGraining_);
+    result.add("exchangeInterval", exchangeInterval());
+    return result;
+}
+
+
 Foam::label Foam::granularPhase::nTotal() const
 {
     return returnReduce(size(), sumOp<label>());

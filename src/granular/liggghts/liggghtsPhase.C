@@ -248,6 +248,19 @@ void Foam::liggghtsPhase::setVariables(const dictionary& variables)
 }
 
 
+Foam::dictionary Foam::liggghtsPhase::activePhysics() const
+{
+    dictionary result(granularPhase::activePhysics());
+    dictionary variables(dict_.subOrEmptyDict("variables"));
+
+    variables.remove("FoamFile");
+    result.add("contactModel", walls_.contactModel());
+    result.add("variables", variables);
+
+    return result;
+}
+
+
 void Foam::liggghtsPhase::addOwnFixes()
 {
     liggghtsChecks::noOwnFixes(liggghts_, physicsScript_);

@@ -6,7 +6,7 @@
 #include "IOdictionary.H"
 #include "OSspecific.H"
 #include "Time.H"
-#include "grainSnapshot.H"
+#include "activePhysics.H"
 #include "keywords.H"
 
 bool Foam::grainCoupling::moving = true;
@@ -112,7 +112,8 @@ void Foam::grainCoupling::start
     const vectorField& U
 )
 {
-    writeActivePhysics();
+    writeActivePhysics(mesh_, "interphaseForces", forces_->active());
+    writeActivePhysics(mesh_, "grains", phase_->activePhysics());
     resetSums(U);
     elapsed_ = phase_->exchangeInterval();
 

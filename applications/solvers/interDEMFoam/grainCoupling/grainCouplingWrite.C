@@ -9,26 +9,6 @@
 #include "grainSnapshot.H"
 #include "timeOnDisk.H"
 
-void Foam::grainCoupling::writeActivePhysics() const
-{
-    if (!Pstream::master())
-    {
-        return;
-    }
-
-    const fileName folder
-    (
-        mesh_.time().globalPath()/"postProcessing"/"activePhysics"
-       /mesh_.time().timeName()
-    );
-    mkDir(folder);
-
-    OFstream os(folder/"activePhysics");
-    os  << "// Models in use in this run, with all their settings" << nl;
-    forces_->active().write(os, false);
-}
-
-
 bool Foam::grainCoupling::writeCloud() const
 {
     // A snapshot stands on the ranks that move the grains, a cloud on those

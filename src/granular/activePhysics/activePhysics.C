@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The list of active physics: what of these closures a run has.
+// The list of active physics: what a run computes, with its settings.
 
-#include "inUse.H"
+#include "activePhysics.H"
 
 #include "OFstream.H"
 #include "OSspecific.H"
 #include "Time.H"
 
-void Foam::writeInUse
+void Foam::writeActivePhysics
 (
     const fvMesh& mesh,
     const word& name,
@@ -28,5 +28,8 @@ void Foam::writeInUse
 
     OFstream os(folder/name);
     os  << "// " << name << " in this run, with its settings" << nl;
-    dict.write(os, false);
+
+    dictionary written(dict);
+    written.remove("FoamFile");
+    written.write(os, false);
 }
