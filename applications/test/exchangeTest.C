@@ -5,6 +5,8 @@
 #include "scatteredGrains.H"
 #include "testNumber.H"
 
+#include "unitConversion.H"
+
 #include <gtest/gtest.h>
 
 using namespace Foam;
@@ -98,6 +100,55 @@ TEST(grainExchange, findsTheCellInASkewedAndGradedMesh)
     testMesh test(box());
     skew(test.mesh());
     expectRightCells(test, skewedPoints(500));
+}
+
+
+TEST(grainExchange, ownsEachPointOfATwistedMesh)
+{
+    for (const scalar degrees : {15, 45, 90})
+    {
+        testMesh test(box());
+        const auto twisted = [&](point p)
+        {
+            const scalar a = degToRad(degrees)*p.z();
+            const scalar x = p.x() - 0.5;
+            const scalar y = p.y() - 0.5;
+            p.x() = 0.5 + Foam::cos(a)*x - Foam::sin(a)*y;
+            p.y() = 0.5 + Foam::sin(a)*x + Foam::cos(a)*y;
+            return p;
+        };
+
+        pointField corners(test.mesh().points());
+        for (point& p : corners)
+        {
+            p = twisted(p);
+        }
+        test.mesh().movePoints(corners);
+
+        // Inside of flat sides as well as of warped ones
+        pointField places(randomPoints(20000));
+        for (point& p : places)
+        {
+            p = twisted(point(0.5, 0.5, 0.5) + 0.9*(p - point(0.5, 0.5, 0.5)));
+        }
+
+        standingGrains phase(test.mesh());
+        place(phase, places, 0.01);
+        grainExchange exchange(test.mesh());
+        exchange.locate(phase);
+
+        EXPECT_EQ(exchange.grains().size(), places.size());
+        EXPECT_EQ(exchange.nOutside(), 0);
+
+        scalar furthest = 0;
+        for (const locatedGrain& grain : exchange.grains())
+        {
+            const point& centre = test.mesh().cellCentres()[grain.cell];
+            furthest = max(furthest, mag(grain.position - centre));
+        }
+        testNumber("largest distance from the centre of the cell", furthest);
+        EXPECT_LT(furthest, 0.2);
+    }
 }
 
 

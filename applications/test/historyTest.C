@@ -69,6 +69,10 @@ struct sphere
         phase.grains.position = point(0.4, 0.4, 0.4);
         phase.grains.mass = mass;
         phase.radii = scalarField(1, 0.5*d);
+        if (!mobile)
+        {
+            phase.held.insert(0);
+        }
         exchange.locate(phase);
         pores.reset
         (
@@ -84,7 +88,7 @@ struct sphere
             (
                 exchange, *pores,
                 entries("rotationalDrag { model none; }" + laws),
-                Zero, 1, mobile
+                Zero, 1
             )
         );
     }

@@ -108,7 +108,7 @@ whole inOneCell
     );
     pores.update();
 
-    interphaseForces forces(exchange, pores, entries(laws), g, N, true);
+    interphaseForces forces(exchange, pores, entries(laws), g, N);
     const fluidFields fluid(water(mesh.nCells()));
     forces.prepare(fluid, interval);
     forces.finish
@@ -223,8 +223,7 @@ vectorField viscousForces
             " viscousForce { strength " + strength + "; }"
         ),
         Zero,
-        1,
-        true
+        1
     );
 
     fluidFields fluid(water(mesh.nCells()));
@@ -299,8 +298,7 @@ TEST(coarseGraining, parcelsThatPassEachOtherFeelDragOverNSquared)
             pores,
             entries("drag { model SchillerNaumann; }"),
             Zero,
-            N,
-            true
+            N
         );
         const vectorField rest(mesh.nCells(), Zero);
         fluidFields fluid(water(mesh.nCells()));
@@ -322,6 +320,51 @@ TEST(coarseGraining, parcelsThatPassEachOtherFeelDragOverNSquared)
         EXPECT_LT(mag(forces.force()[1] + exact), 1e-9*mag(exact)) << N;
         EXPECT_LT(mag(sum(forces.force())), 1e-12*mag(exact)) << N;
     }
+}
+
+
+TEST(obstacle, aHeldGrainGetsAllOfTheDragBesideOneThatMoves)
+{
+    // So small that it would take on the water's velocity in an interval
+    constexpr scalar d = 1e-4;
+    testMesh box;
+    const fvMesh& mesh = box.mesh();
+    standingGrains phase(mesh);
+    put(phase, pointField({point(0.2, 0.4, 0.4), point(0.6, 0.4, 0.4)}), d);
+    phase.grains.U = vector(Zero);
+    phase.grains.omega = vector(Zero);
+    phase.held.insert(1);
+
+    grainExchange exchange(mesh);
+    exchange.locate(phase);
+    porosity pores
+    (
+        exchange, entries("model centre; smoothing { model none; }")
+    );
+    pores.update();
+
+    interphaseForces forces
+    (
+        exchange, pores, entries("drag { model SchillerNaumann; }"), Zero, 1
+    );
+    const vectorField none(mesh.nCells(), Zero);
+    fluidFields fluid(water(mesh.nCells()));
+    fluid.convection = none;
+    forces.prepare(fluid, interval);
+    forces.finish(fluidMeans{fluid.U, none, none, none});
+
+    const scalar slip = mag(fluid.U[0]);
+    const scalar K =
+        3*constant::mathematical::pi*muWater*d
+       *(1 + 0.15*Foam::pow(rhoWater*slip*d/muWater, 0.687));
+    const scalar m = phase.grains.mass[0];
+    ASSERT_GT(K*interval/m, 1);
+
+    const scalar moving = mag(exchange.toPhase(forces.force(), 2)[0]);
+    const scalar held = mag(exchange.toPhase(forces.force(), 2)[1]);
+    EXPECT_NEAR(moving/(m/(m + K*interval)*K*slip), 1, 1e-9);
+    EXPECT_NEAR(held/(K*slip), 1, 1e-9);
+    EXPECT_LT(forces.residual(), 1e-12);
 }
 
 
@@ -387,8 +430,7 @@ TEST(excessPressure, isFeltByItsStrengthAndBuoyancyInFull)
                   + Foam::name(strength) + "; }"
                 ),
                 g,
-                1,
-                true
+                1
             );
             const vectorField none(mesh.nCells(), Zero);
             fluidFields fluid(water(mesh.nCells()));

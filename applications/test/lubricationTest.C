@@ -93,7 +93,7 @@ struct approach
                 (
                     "drag { model none; } rotationalDrag { model none; }" + laws
                 ),
-                Zero, 1, true
+                Zero, 1
             )
         );
     }

@@ -156,7 +156,7 @@ Foam::label Foam::cellBins::find(const point& p) const
         }
     }
 
-    if (least <= tolerance_)
+    if (nearest >= 0 && least <= tolerance_ + walker_.warp(nearest))
     {
         return nearest;
     }
@@ -170,7 +170,7 @@ Foam::label Foam::cellBins::find(const point& p) const
         if
         (
             end.rank == Pstream::myProcNo()
-         && walker_.outside(q, end.cell) <= tolerance_
+         && walker_.outside(q, end.cell) <= tolerance_ + walker_.warp(end.cell)
         )
         {
             return end.cell;

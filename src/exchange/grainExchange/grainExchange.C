@@ -43,7 +43,8 @@ Foam::locatedGrain Foam::grainExchange::record
         phase.radius()[i],
         phase.mass()[i],
         -1,
-        phase.id()[i]
+        phase.id()[i],
+        phase.mobile(i)
     };
 }
 

@@ -85,6 +85,16 @@ void Foam::meshWalker::setSides()
             side& s = sides_[at++];
             s.normal = area/(mag(area) + VSMALL);
             s.offset = s.normal & mesh_.faceCentres()[f];
+            s.warp = 0;
+
+            for (const label p : mesh_.faces()[f])
+            {
+                s.warp = max
+                (
+                    s.warp,
+                    mag((mesh_.points()[p] & s.normal) - s.offset)
+                );
+            }
 
             if (mesh_.isInternalFace(f))
             {
@@ -121,9 +131,10 @@ Foam::meshWalker::place Foam::meshWalker::walk
             const side& s = sides_[i];
             const scalar distance = (p & s.normal) - s.offset;
 
-            if (distance > furthest && s.next != -1)
+            // Within the warp two cells may send a point to and fro
+            if (distance - s.warp > furthest && s.next != -1)
             {
-                furthest = distance;
+                furthest = distance - s.warp;
                 next = s.next;
             }
         }

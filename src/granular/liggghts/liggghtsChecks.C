@@ -314,6 +314,25 @@ void Foam::liggghtsChecks::noOwnWall
 }
 
 
+void Foam::liggghtsChecks::noOtherSurfaces(const fileName& script)
+{
+    for (const liggghtsScript::wall& wall : liggghtsScript::walls(script))
+    {
+        if (wall.surfaces.size())
+        {
+            FatalErrorInFunction
+                << "LIGGGHTS takes one wall made of surfaces, but fix "
+                << wall.fix << " of " << script << " is one, and patches of"
+                << " the mesh that are not whole sides of its box make another."
+                << nl << "    Take fix " << wall.fix << " out, and name its"
+                << " surfaces in LIGGGHTS/walls/surfaces of"
+                << " constant/granularProperties: " << wall.surfaces
+                << exit(FatalError);
+        }
+    }
+}
+
+
 Foam::scalar Foam::liggghtsChecks::rayleighTime
 (
     const scalar radius,

@@ -73,7 +73,9 @@ Foam::liggghtsPhase::liggghtsPhase
     nGrains_(0),
     nInserted_(0),
     nEntered_(0),
-    nLeft_(0)
+    nLeft_(0),
+    movingGroups_(0),
+    frozenGroups_(0)
 {
     Info<< "Grains: LIGGGHTS" << endl;
 
@@ -310,22 +312,22 @@ void Foam::liggghtsPhase::refresh()
     mass_.shallowCopy(UList<scalar>(atom.rmass, n));
     id_.shallowCopy(UList<label>(atom.tag, n));
     type_.shallowCopy(UList<label>(atom.type, n));
+
+    movingGroups_ = frozenGroups_ = 0;
+    for (label i = 0; i < liggghts_->modify->nfix; ++i)
+    {
+        const LAMMPS_NS::Fix& fix = *liggghts_->modify->fix[i];
+
+        movingGroups_ |= fix.time_integrate ? fix.groupbit : 0;
+        frozenGroups_ |= string(fix.style) == "freeze" ? fix.groupbit : 0;
+    }
 }
 
 
-bool Foam::liggghtsPhase::mobile() const
+bool Foam::liggghtsPhase::mobile(const label i) const
 {
-    const LAMMPS_NS::Modify& modify = *liggghts_->modify;
-
-    for (label i = 0; i < modify.nfix; ++i)
-    {
-        if (modify.fix[i]->time_integrate)
-        {
-            return true;
-        }
-    }
-
-    return false;
+    const int groups = liggghts_->atom->mask[i];
+    return (groups & movingGroups_) && !(groups & frozenGroups_);
 }
 
 

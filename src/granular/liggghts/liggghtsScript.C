@@ -59,7 +59,7 @@ Foam::liggghtsScript::walls(const fileName& script)
         "([^\n]*)"
     );
     const std::regex plane("([xyz])plane[ \t]+([-+0-9.eE]+)");
-    const std::regex surfaces("meshes[ \t]+([^\n]*)");
+    const std::regex surfaces("[ \t]meshes[ \t]+([^\n]*)");
 
     DynamicList<wall> result;
     for (std::sregex_iterator at(all.begin(), all.end(), fix), end; at != end; ++at)

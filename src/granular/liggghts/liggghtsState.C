@@ -13,6 +13,8 @@
 #include <liggghts/atom.h>
 #include <liggghts/atom_vec.h>
 #include <liggghts/fix.h>
+#include <liggghts/fix_contact_property_atom_wall.h>
+#include <liggghts/fix_mesh_surface.h>
 #include <liggghts/lammps.h>
 #include <liggghts/library.h>
 #include <liggghts/modify.h>
@@ -110,6 +112,31 @@ void Foam::liggghtsPhase::addContacts(grainSnapshot& grains) const
 }
 
 
+Foam::vectorField Foam::liggghtsPhase::surfaceForce(const word& surface) const
+{
+    LAMMPS_NS::Modify& modify = *liggghts_->modify;
+    auto* mesh = static_cast<LAMMPS_NS::FixMeshSurface*>
+    (
+        modify.fix[modify.find_fix(surface.c_str())]
+    );
+    LAMMPS_NS::FixContactPropertyAtomWall* contacts = mesh->meshforceContact();
+
+    vectorField result(size(), Zero);
+
+    forAll(result, i)
+    {
+        for (label k = 0; k < contacts->get_npartners(i); ++k)
+        {
+            // Force, then torque
+            const double* c = contacts->contacthistory(i, k);
+            result[i] += vector(c[0], c[1], c[2]);
+        }
+    }
+
+    return result;
+}
+
+
 Foam::autoPtr<Foam::grainSnapshot> Foam::liggghtsPhase::snapshot() const
 {
     auto result = autoPtr<grainSnapshot>::New(size());
@@ -151,6 +178,11 @@ Foam::autoPtr<Foam::grainSnapshot> Foam::liggghtsPhase::snapshot() const
         }
 
         grains.wallForce.insert(wall.key(), force);
+    }
+
+    forAllConstIters(walls_.surfaces(), wall)
+    {
+        grains.wallForce.insert(wall.key(), surfaceForce(wall.val()));
     }
 
     addContacts(grains);

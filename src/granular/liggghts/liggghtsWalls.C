@@ -42,9 +42,10 @@ Foam::liggghtsWalls::liggghtsWalls
       ? dict.get<string>("contactModel")
       : liggghtsScript::contactModel(script)
     ),
+    own_(dict.lookupOrDefault<wordList>("surfaces", wordList())),
     nWalls_(0)
 {
-    keywords::check(dict, {"patches", "type", "contactModel"});
+    keywords::check(dict, {"patches", "type", "contactModel", "surfaces"});
 }
 
 
@@ -176,24 +177,77 @@ Foam::fileName Foam::liggghtsWalls::writeSurface(const polyPatch& patch) const
 }
 
 
-Foam::word Foam::liggghtsWalls::addWall
+void Foam::liggghtsWalls::addPlanes
 (
     liggghtsInstance& liggghts,
-    const word& patch,
-    const string& geometry
+    const polyPatch& patch,
+    const labelList& sides
 )
 {
-    // LIGGGHTS keeps room for nine letters of a wall's id
-    const word id("wall" + Foam::name(nWalls_++));
+    static const char* const planes[] = {"xplane", "yplane", "zplane"};
+    const boundBox& box = mesh_.bounds();
+
+    for (const label i : sides)
+    {
+        // LIGGGHTS keeps room for nine letters of a wall's id
+        const word id("wall" + Foam::name(nWalls_++));
+        const scalar place = (i % 2 ? box.max() : box.min())[i/2];
+
+        std::ostringstream os;
+        os.precision(17);
+        os  << "fix " << id << " all wall/gran " << contactModel_
+            << " primitive type " << type_ << ' ' << planes[i/2] << ' ' << place
+            << " store_force yes";
+        liggghts.command(os.str());
+
+        fixes_(patch.name()).append(id);
+        planes_.insert(id, Tuple2<direction, scalar>(i/2, place));
+    }
+
+    Info<< "    wall " << patch.name() << ": " << sides.size() << " planes"
+        << endl;
+}
+
+
+void Foam::liggghtsWalls::addSurface
+(
+    liggghtsInstance& liggghts,
+    const polyPatch& patch
+)
+{
+    const word id("mesh" + Foam::name(nWalls_++));
 
     liggghts.command
     (
-        "fix " + id + " all wall/gran " + contactModel_ + " " + geometry
-      + " store_force yes"
+        "fix " + id + " all mesh/surface file " + writeSurface(patch)
+      + " type " + Foam::name(type_)
     );
-    fixes_(patch).append(id);
+    surfaces_.insert(patch.name(), id);
 
-    return id;
+    Info<< "    wall " << patch.name() << ": surface" << endl;
+}
+
+
+void Foam::liggghtsWalls::addWallOfSurfaces(liggghtsInstance& liggghts) const
+{
+    liggghtsChecks::noOtherSurfaces(script_);
+
+    string meshes;
+    for (const word& patch : surfaces_.sortedToc())
+    {
+        meshes += " " + surfaces_[patch];
+    }
+    for (const word& id : own_)
+    {
+        meshes += " " + id;
+    }
+
+    liggghts.command
+    (
+        "fix surfaces all wall/gran " + contactModel_ + " mesh n_meshes "
+      + Foam::name(surfaces_.size() + own_.size()) + " meshes" + meshes
+      + " store_force_contact yes"
+    );
 }
 
 
@@ -218,11 +272,14 @@ Foam::vector Foam::liggghtsWalls::toPlane
 
 void Foam::liggghtsWalls::add(liggghtsInstance& liggghts)
 {
-    static const char* const planes[] = {"xplane", "yplane", "zplane"};
-
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
-        if (!isA<wallPolyPatch>(patch) || !patches_.match(patch.name()))
+        if
+        (
+            !isA<wallPolyPatch>(patch)
+         || !patches_.match(patch.name())
+         || !returnReduce(patch.size(), sumOp<label>())
+        )
         {
             continue;
         }
@@ -231,45 +288,18 @@ void Foam::liggghtsWalls::add(liggghtsInstance& liggghts)
 
         const labelList on(sides(patch));
 
-        for (const label i : on)
+        if (on.size())
         {
-            const boundBox& box = mesh_.bounds();
-            const scalar place = (i % 2 ? box.max() : box.min())[i/2];
-            std::ostringstream os;
-            os.precision(17);
-            os  << "primitive type " << type_ << ' ' << planes[i/2] << ' '
-                << place;
-            planes_.insert
-            (
-                addWall(liggghts, patch.name(), os.str()),
-                Tuple2<direction, scalar>(i/2, place)
-            );
-        }
-
-        if (on.empty())
-        {
-            const word surface("mesh" + Foam::name(nWalls_));
-            liggghts.command
-            (
-                "fix " + surface + " all mesh/surface file "
-              + writeSurface(patch) + " type " + Foam::name(type_)
-            );
-            addWall
-            (
-                liggghts,
-                patch.name(),
-                "mesh n_meshes 1 meshes " + surface
-            );
-        }
-
-        Info<< "    wall " << patch.name() << ": ";
-        if (on.empty())
-        {
-            Info<< "surface" << endl;
+            addPlanes(liggghts, patch, on);
         }
         else
         {
-            Info<< on.size() << " planes" << endl;
+            addSurface(liggghts, patch);
         }
+    }
+
+    if (surfaces_.size() || own_.size())
+    {
+        addWallOfSurfaces(liggghts);
     }
 }

@@ -22,15 +22,13 @@ Foam::interphaseForces::interphaseForces
     const porosity& porosity,
     const dictionary& dict,
     const vector& g,
-    const scalar coarseGraining,
-    const bool mobile
+    const scalar coarseGraining
 )
 :
     exchange_(exchange),
     porosity_(porosity),
     g_(g),
     coarseGraining_(coarseGraining),
-    mobile_(mobile),
     laws_(exchange.mesh(), dict),
     dragCoefficient_(exchange.mesh().nCells(), Zero),
     virtualMassCoefficient_(exchange.mesh().nCells(), Zero),
@@ -50,7 +48,8 @@ void Foam::interphaseForces::setTorque
     // The computed grain must get the angular acceleration of the grains it
     // stands for: its moment of inertia is N^5 times theirs
     const locatedGrain& grain = exchange_.grains()[i];
-    const scalar inertia = 0.4*grain.mass*sqr(grain.radius);
+    const scalar inertia =
+        grain.mobile ? 0.4*grain.mass*sqr(grain.radius) : GREAT;
     const scalar c =
         pow5(coarseGraining_)*laws_.rotationalDrag->coefficient(state);
 
@@ -243,8 +242,8 @@ void Foam::interphaseForces::setForce
     vector load(freeLoad(grain, fluid, volume, lift));
 
     // A grain that nothing moves has no velocity to eliminate
-    const scalar m = mobile_ ? grain.mass : GREAT;
-    const scalar M = mobile_ ? m/(m + C + K*interval) : 1;
+    const scalar m = grain.mobile ? grain.mass : GREAT;
+    const scalar M = grain.mobile ? m/(m + C + K*interval) : 1;
 
     wallForce_[i] = laws_.lubrication.force
     (

@@ -61,8 +61,7 @@ Foam::grainCoupling::grainCoupling(const fvMesh& mesh, const vector& g)
             *porosity_,
             keywords::sub(dict, "interphaseForces"),
             g,
-            phase_->coarseGraining(),
-            phase_->mobile()
+            phase_->coarseGraining()
         )
     );
 

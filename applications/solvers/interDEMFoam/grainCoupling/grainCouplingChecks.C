@@ -126,7 +126,8 @@ void Foam::grainCoupling::checkWriting(const Time& runTime) const
           - (key == word("endTime") ? runTime.startTime().value() : 0);
         const scalar n = value/interval;
 
-        if (mag(n - std::round(n)) > 1e-4*max(n, scalar(1)))
+        // As far as numbers of four digits can be wrong, but never as a whole
+        if (mag(n - std::round(n)) > min(1e-4*max(n, scalar(1)), 0.01))
         {
             FatalIOErrorInFunction(control)
                 << key << " " << control.get<scalar>(key)
