@@ -19,10 +19,12 @@ void writeHeader
     std::ostream& os,
     const packedGrains& grains,
     const boundBox& domain,
-    const string& title
+    const string& title,
+    const label materials
 )
 {
-    const label types = grains.size() ? max(grains.material) : 1;
+    const label types =
+        grains.size() ? max(materials, max(grains.material)) : materials;
 
     os  << title << "\n\n"
         << grains.size() << " atoms\n"
@@ -82,14 +84,15 @@ void Foam::writeGrainsData
     const fileName& file,
     const packedGrains& grains,
     const boundBox& domain,
-    const string& title
+    const string& title,
+    const label materials
 )
 {
     const fileName aside(file + ".incomplete");
     {
         std::ofstream os(aside);
         os.precision(std::numeric_limits<scalar>::max_digits10);
-        writeHeader(os, grains, domain, title);
+        writeHeader(os, grains, domain, title, materials);
         writeAtoms(os, grains);
         os.close();
 

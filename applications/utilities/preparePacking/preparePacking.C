@@ -285,7 +285,14 @@ int main(int argc, char* argv[])
 
     const packedGrains grains(joined(dict, packings, domain));
     const fileName file(runTime.path()/runTime.constant()/"grains.data");
-    writeGrainsData(file, grains, domain, "Grains of preparePacking");
+    writeGrainsData
+    (
+        file,
+        grains,
+        domain,
+        "Grains of preparePacking",
+        dict.lookupOrDefault<label>("materials", 1)
+    );
     report(packings, runTime);
 
     Info<< nl << grains.size() << " grains written to " << file << nl
