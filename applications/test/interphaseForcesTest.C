@@ -26,6 +26,10 @@ constexpr scalar interval = 1e-3;
 const vector g(0, 0, -9.81);
 
 
+//- Each grain is as a whole in the cell of its centre
+const char* const inOneCellEach = "model centre; smoothing { model none; }";
+
+
 dictionary entries(const string& text)
 {
     return dictionary(IStringStream(text)());
@@ -102,10 +106,7 @@ whole inOneCell
 
     grainExchange exchange(mesh);
     exchange.locate(phase);
-    porosity pores
-    (
-        exchange, entries("model centre; smoothing { model none; }")
-    );
+    porosity pores(exchange, entries(inOneCellEach));
     pores.update();
 
     interphaseForces forces(exchange, pores, entries(laws), g, N);
@@ -286,10 +287,7 @@ TEST(coarseGraining, parcelsThatPassEachOtherFeelDragOverNSquared)
 
         grainExchange exchange(mesh);
         exchange.locate(phase);
-        porosity pores
-        (
-            exchange, entries("model centre; smoothing { model none; }")
-        );
+        porosity pores(exchange, entries(inOneCellEach));
         pores.update();
 
         interphaseForces forces
@@ -337,10 +335,7 @@ TEST(obstacle, aHeldGrainGetsAllOfTheDragBesideOneThatMoves)
 
     grainExchange exchange(mesh);
     exchange.locate(phase);
-    porosity pores
-    (
-        exchange, entries("model centre; smoothing { model none; }")
-    );
+    porosity pores(exchange, entries(inOneCellEach));
     pores.update();
 
     interphaseForces forces
@@ -412,10 +407,7 @@ TEST(excessPressure, isFeltByItsStrengthAndBuoyancyInFull)
         put(phase, pointField(1, point(0.4, 0.4, 0.4)), d);
         grainExchange exchange(mesh);
         exchange.locate(phase);
-        porosity pores
-        (
-            exchange, entries("model centre; smoothing { model none; }")
-        );
+        porosity pores(exchange, entries(inOneCellEach));
         pores.update();
 
         const auto forceWith = [&](const string& drag)
