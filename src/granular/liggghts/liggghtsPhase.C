@@ -79,7 +79,7 @@ Foam::liggghtsPhase::liggghtsPhase
 {
     Info<< "Grains: LIGGGHTS" << endl;
 
-    setVariables(dict_.subOrEmptyDict("variables"));
+    setVariables();
     createGrains();
     liggghtsChecks::units(liggghts_, initialScript_);
     liggghtsChecks::domain(liggghts_, mesh, initialScript_);
@@ -220,19 +220,26 @@ void Foam::liggghtsPhase::createGrains()
 }
 
 
-void Foam::liggghtsPhase::setVariables(const dictionary& variables)
+Foam::dictionary Foam::liggghtsPhase::variables() const
 {
-    for (const entry& variable : variables)
-    {
-        // The header of a file that was included
-        if (variable.keyword() == "FoamFile")
-        {
-            continue;
-        }
+    dictionary result(dict_.subOrEmptyDict("variables"));
 
+    // The header of a file that was included
+    result.remove("FoamFile");
+
+    return result;
+}
+
+
+void Foam::liggghtsPhase::setVariables()
+{
+    const dictionary all(variables());
+
+    for (const entry& variable : all)
+    {
         if (variable.isDict() || variable.stream().size() != 1)
         {
-            FatalIOErrorInFunction(variables)
+            FatalIOErrorInFunction(all)
                 << "A variable of the LIGGGHTS scripts is a name and one number"
                 << " or word, but " << variable.keyword() << " is not." << nl
                 << "    Write for instance: rollingFriction 0.1;"
@@ -253,11 +260,8 @@ void Foam::liggghtsPhase::setVariables(const dictionary& variables)
 Foam::dictionary Foam::liggghtsPhase::activePhysics() const
 {
     dictionary result(granularPhase::activePhysics());
-    dictionary variables(dict_.subOrEmptyDict("variables"));
-
-    variables.remove("FoamFile");
     result.add("contactModel", walls_.contactModel());
-    result.add("variables", variables);
+    result.add("variables", variables());
 
     return result;
 }
