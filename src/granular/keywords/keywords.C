@@ -5,6 +5,39 @@
 
 #include "error.H"
 
+namespace
+{
+
+using namespace Foam;
+
+//- Fatal if a name or pattern matches none of the valid names
+template<class Pattern>
+void mustMatch
+(
+    const dictionary& dict,
+    const Pattern& pattern,
+    const word& keyword,
+    const wordList& valid
+)
+{
+    for (const word& name : valid)
+    {
+        if (pattern.match(name))
+        {
+            return;
+        }
+    }
+
+    FatalIOErrorInFunction(dict)
+        << pattern << " (keyword " << keyword << " in " << dict.name()
+        << ") is none of the names here" << nl
+        << "Valid names:" << keywords::listed(valid).c_str()
+        << exit(FatalIOError);
+}
+
+} // End anonymous namespace
+
+
 Foam::string Foam::keywords::listed(const wordList& words)
 {
     string line;
@@ -33,6 +66,19 @@ void Foam::keywords::check
                 << nl << "Valid keywords:" << listed(valid).c_str()
                 << hint.c_str() << exit(FatalIOError);
         }
+    }
+}
+
+
+void Foam::keywords::checkPatterns
+(
+    const dictionary& dict,
+    const wordList& valid
+)
+{
+    for (const entry& e : dict)
+    {
+        mustMatch(dict, e.keyword(), e.keyword(), valid);
     }
 }
 
@@ -119,20 +165,7 @@ Foam::wordRes Foam::keywords::patterns
 
     for (const wordRe& pattern : result)
     {
-        bool any = false;
-        for (const word& name : valid)
-        {
-            any = any || pattern.match(name);
-        }
-
-        if (!any)
-        {
-            FatalIOErrorInFunction(dict)
-                << pattern << " (keyword " << keyword << " in " << dict.name()
-                << ") is none of the names here" << nl
-                << "Valid names:" << listed(valid).c_str()
-                << exit(FatalIOError);
-        }
+        mustMatch(dict, pattern, keyword, valid);
     }
 
     return result;

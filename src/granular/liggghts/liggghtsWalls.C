@@ -16,6 +16,9 @@
 
 #include <fstream>
 
+#include <liggghts/atom.h>
+#include <liggghts/lammps.h>
+
 Foam::liggghtsWalls::liggghtsWalls
 (
     const fvMesh& mesh,
@@ -36,6 +39,7 @@ Foam::liggghtsWalls::liggghtsWalls
         )
     ),
     type_(dict.lookupOrDefault<label>("type", 1)),
+    types_(keywords::sub(dict, "types")),
     contactModel_
     (
         dict.found("contactModel")
@@ -45,7 +49,36 @@ Foam::liggghtsWalls::liggghtsWalls
     own_(dict.lookupOrDefault<wordList>("surfaces", wordList())),
     nWalls_(0)
 {
-    keywords::check(dict, {"patches", "type", "contactModel", "surfaces"});
+    keywords::check
+    (
+        dict,
+        {"patches", "type", "types", "contactModel", "surfaces"}
+    );
+    keywords::checkPatterns(types_, mesh.boundaryMesh().names());
+}
+
+
+Foam::label Foam::liggghtsWalls::material
+(
+    const liggghtsInstance& liggghts,
+    const polyPatch& patch
+) const
+{
+    const label type = types_.getOrDefault<label>(patch.name(), type_);
+    const label nTypes = liggghts->atom->ntypes;
+
+    if (type < 1 || type > nTypes)
+    {
+        FatalErrorInFunction
+            << "The wall " << patch.name() << " has the material " << type
+            << ", but LIGGGHTS knows the materials 1 to " << nTypes << nl
+            << "    See LIGGGHTS/walls in constant/granularProperties. The"
+            << " number of materials is that of create_box in the script, or"
+            << nl << "    the atom types of the file that read_data reads"
+            << " (materials in packingDict)" << exit(FatalError);
+    }
+
+    return type;
 }
 
 
@@ -186,6 +219,7 @@ void Foam::liggghtsWalls::addPlanes
 {
     static const char* const planes[] = {"xplane", "yplane", "zplane"};
     const boundBox& box = mesh_.bounds();
+    const label type = material(liggghts, patch);
 
     for (const label i : sides)
     {
@@ -196,7 +230,7 @@ void Foam::liggghtsWalls::addPlanes
         std::ostringstream os;
         os.precision(17);
         os  << "fix " << id << " all wall/gran " << contactModel_
-            << " primitive type " << type_ << ' ' << planes[i/2] << ' ' << place
+            << " primitive type " << type << ' ' << planes[i/2] << ' ' << place
             << " store_force yes";
         liggghts.command(os.str());
 
@@ -220,7 +254,7 @@ void Foam::liggghtsWalls::addSurface
     liggghts.command
     (
         "fix " + id + " all mesh/surface file " + writeSurface(patch)
-      + " type " + Foam::name(type_)
+      + " type " + Foam::name(material(liggghts, patch))
     );
     surfaces_.insert(patch.name(), id);
 
