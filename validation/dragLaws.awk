@@ -8,7 +8,7 @@
 # d, rhoS: diameter and density of the grains, rho, mu: density and viscosity
 # of the fluid, all in SI. A law has one of the names
 #
-#   DiFelice asPrinted Gidaspow KochHill Beetstra
+#   DiFelice asPrinted Gidaspow KochHill Beetstra Ergun SchillerNaumann
 #
 # e is the void fraction, U the superficial slip: e times the slip between the
 # grains. What the authors call drag differs. Some mean the whole force of the
@@ -107,6 +107,7 @@ function drag(law, e, U)
     if (law == "KochHill") return KochHill(e, U)
     if (law == "Beetstra") return Beetstra(e, U)
     if (law == "Ergun") return e*ErgunForce(e, U)
+    if (law == "SchillerNaumann") return sphere(U/e, rho*d*U/e/mu)
     print "dragLaws.awk: there is no law " law > "/dev/stderr"
     exit 1
 }
