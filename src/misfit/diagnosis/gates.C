@@ -38,6 +38,28 @@ scalar square(const stacked& data, const vec& f, const whitener& white)
 
 
 //- True if all that one has on is on in the other too
+//- Each channel moved round by half of its length
+vec halfRoundLater(const stacked& data, const vec& v)
+{
+    vec moved(v.size());
+    for (const segment& s : data.segments)
+    {
+        for (label i = 0; i < s.size; ++i)
+        {
+            moved[s.first + i] = v[s.first + (i + s.size/2) % s.size];
+        }
+    }
+    return moved;
+}
+
+
+//- Cosine of the angle between two effects; 0 where they are against each other
+scalar likeness(const vec& a, const vec& b)
+{
+    return max(a.dot(b), 0.0)/max(a.norm()*b.norm(), VSMALL);
+}
+
+
 bool contains(const hypothesis& all, const hypothesis& some)
 {
     for (const label m : some.mechanisms)
@@ -255,34 +277,35 @@ Foam::misfit::gate Foam::misfit::diagnosis::stabilityGate()
 
 Foam::misfit::gate Foam::misfit::diagnosis::placeboGate() const
 {
-    const vec y = fit_->data().y;
+    const stacked& data = fit_->data();
+    const vec y = data.y;
     const vec base = baseline().best.f;
     const scalar tolerance = settings_.formulaTolerance;
     const auto copy(fit_->copy());
     const scalar real = gain(*copy, best().what, tolerance);
 
-    vec shuffled = y;
-    for (const segment& s : fit_->data().segments)
-    {
-        for (label i = 0; i < s.size; ++i)
-        {
-            const label j = s.first + (i + s.size/2) % s.size;
-            shuffled[s.first + i] = base[s.first + i] + y[j] - base[j];
-        }
-    }
-    copy->record(shuffled);
-    scalar placebo = gain(*copy, best().what, tolerance);
     copy->record(2*base - y);
-    placebo = max(placebo, gain(*copy, best().what, tolerance));
+    scalar placebo = gain(*copy, best().what, tolerance);
+
+    // An effect that lasts is much the same at another time: no placebo then
+    const vec effect = best().best.f - base;
+    const whitener white(baseline().covariance);
+    if (likeness(white(effect), white(halfRoundLater(data, effect))) < 0.7)
+    {
+        copy->record(base + halfRoundLater(data, vec(y - base)));
+        placebo = max(placebo, gain(*copy, best().what, tolerance));
+    }
+    const scalar limit = 0.5*real;
     return
     {
         "placebo",
         "Gain where the misfit has the wrong sign or is moved in time (really "
-      + number(real) + ")",
+      + number(real) + ", which must be " + number(settings_.evidence)
+      + " or more)",
         number(placebo),
-        "below " + number(0.5*real),
+        "below " + number(limit),
         best().what.mechanisms.size() > 0,
-        placebo < 0.5*real
+        real >= settings_.evidence && placebo < limit
     };
 }
 

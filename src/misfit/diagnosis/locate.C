@@ -45,9 +45,17 @@ Foam::misfit::diagnosis::shapes(const weighed& base) const
     const vec at = model.expand(base.best.x);
     forAll(settings_.candidates, i)
     {
-        vec with = at;
-        with[bounds_.nParameters + i] = settings_.candidates[i].strong;
-        add(fit_->surface()(with) - fit_->surface()(at));
+        // A weak effect may look otherwise than a strong one, as one that delays
+        for
+        (
+            const scalar strength :
+            {settings_.candidates[i].weak, settings_.candidates[i].strong}
+        )
+        {
+            vec with = at;
+            with[bounds_.nParameters + i] = strength;
+            add(fit_->surface()(with) - fit_->surface()(at));
+        }
     }
 
     // A small fault: a hundredth of the way to the largest
