@@ -14,6 +14,7 @@
 #include "fixedFluxPressureFvPatchScalarField.H"
 #include "firstRankFirst.H"
 #include "fpeGuard.H"
+#include "functionState.H"
 #include "grainCoupling.H"
 #include "slidingGate.H"
 #include "solverChecks.H"

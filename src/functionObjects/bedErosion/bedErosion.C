@@ -273,6 +273,9 @@ bool Foam::functionObjects::bedErosion::execute()
     depth_.append(now(), atX0);
     rate_.append(now(), depth_.lastSlope(rateWindow_));
     UEroded_.append(now(), moving.UMoving);
+    keep("depth", depth_);
+    keep("rate", rate_);
+    keep("UEroded", UEroded_);
 
     const scalar solid = reference_.packing*width_;
 

@@ -195,10 +195,6 @@ bool Foam::functionObjects::bedErosion::write()
         return true;
     }
 
-    keep("depth", depth_);
-    keep("rate", rate_);
-    keep("UEroded", UEroded_);
-
     if (writes())
     {
         writeLine(file(), line_);

@@ -194,6 +194,8 @@ bool Foam::functionObjects::collisionLoad::execute()
 
     force_.append(now(), sum);
     number_.append(now(), n);
+    keep("force", force_);
+    keep("number", number_);
     line_ = {sum/max(n, 1), greatest, scalar(n)};
 
     setResult("Fc", pointLoad());
@@ -204,9 +206,6 @@ bool Foam::functionObjects::collisionLoad::execute()
 
 bool Foam::functionObjects::collisionLoad::write()
 {
-    keep("force", force_);
-    keep("number", number_);
-
     if (writes())
     {
         writeLine(file(), line_);

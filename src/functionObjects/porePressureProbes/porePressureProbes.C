@@ -330,6 +330,7 @@ bool Foam::functionObjects::porePressureProbes::execute()
         );
 
         pressure_[i].append(now(), p);
+        keep(seriesName(i), pressure_[i]);
     }
 
     return true;
@@ -338,11 +339,6 @@ bool Foam::functionObjects::porePressureProbes::execute()
 
 bool Foam::functionObjects::porePressureProbes::write()
 {
-    forAll(pressure_, i)
-    {
-        keep(seriesName(i), pressure_[i]);
-    }
-
     if (writes() && line_.size())
     {
         writeLine(file(), line_);

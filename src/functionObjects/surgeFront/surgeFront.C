@@ -366,6 +366,9 @@ bool Foam::functionObjects::surgeFront::execute()
     setResult("h", reached[1]);
     setResult("Fr", reached[2]);
 
+    keep("position", position_);
+    keep("depth", depth_);
+
     Log << type() << " " << name() << ": x " << x << " m, U " << U
         << " m/s, h " << h << " m, Fr " << line_.last() << nl << endl;
 
@@ -375,9 +378,6 @@ bool Foam::functionObjects::surgeFront::execute()
 
 bool Foam::functionObjects::surgeFront::write()
 {
-    keep("position", position_);
-    keep("depth", depth_);
-
     if (writes() && line_.size())
     {
         writeLine(file(), line_);
