@@ -20,11 +20,45 @@ void Foam::misfit::diagnosis::locate
             clear.setSize(min(clear.size(), 1));
         }
     }
-    for (const window& w : clear)
+    setLocated(clear, misfit);
+}
+
+
+void Foam::misfit::diagnosis::locateNamed()
+{
+    // Half of what is left counts, too: nature's formula may be another one
+    const vec explained =
+        0.5*(found_.after - found_.before)
+      + 0.5*(fit_->data().y - found_.before);
+    const List<window> clear
+    (
+        stretches
+        (
+            fit_->data(),
+            explained,
+            baseline().covariance,
+            settings_.beyond
+        )
+    );
+    if (clear.size())
+    {
+        setLocated(clear, explained);
+    }
+}
+
+
+void Foam::misfit::diagnosis::setLocated
+(
+    const List<window>& places,
+    const vec& misfit
+)
+{
+    found_.located.clear();
+    for (const window& w : places)
     {
         found_.located.append(told(w, fit_->data(), misfit));
     }
-    found_.detection.windows = clear;
+    found_.detection.windows = places;
 }
 
 

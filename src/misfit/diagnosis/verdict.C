@@ -199,6 +199,10 @@ void Foam::misfit::diagnosis::decide()
     {
         advise(near);
     }
+    if (found_.strengths.size() && !best().what.unknown)
+    {
+        locateNamed();
+    }
     confide();
     describe();
 }
