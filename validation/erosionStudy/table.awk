@@ -3,6 +3,8 @@
 # table that follows from others is computed from them: Fr of Eq 12 and E of
 # Eq 15 from its M, U and h; its own Fr column, which does not agree with Eq 12,
 # and E with it are shown as printed. Differences are in % of the paper's value.
+# L is taken from x = 0 to the end of the scar, see README.md; the eroded length
+# beyond x = 0.6 m is LBeyond.
 #
 #   awk -v suffix=-slice -v states=FILE -f table.awk paper.csv rows...
 #
@@ -50,13 +52,18 @@ isPaper {
     state[run] = "done"
     for (i = 2; i <= NF; i++) ours[run, name[i]] = $i
     ours[run, "E"] *= scale
+    ours[run, "LBeyond"] = ours[run, "L"]
+    ours[run, "L"] = ours[run, "xEnd"]
 }
 
 END {
     printf "run,state,D,M,V,FrPrinted,EPrinted"
     for (c = 1; c <= nColumns; c++)
         printf ",%s,%sPaper,%sDifference", column[c], column[c], column[c]
-    print ",Fc,bouncing,creeping,netStart,netEnd,peakTime,hash,code"
+    nMore = split("LBeyond Fc bouncing creeping netStart netEnd peakTime hash " \
+        "code", more, " ")
+    for (i = 1; i <= nMore; i++) printf ",%s", more[i]
+    print ""
 
     for (r = 1; r <= nRuns; r++)
     {
@@ -72,9 +79,7 @@ END {
                 paper[run, q], !there ? "" : \
                 sprintf("%.1f", 100*(ours[run, q]/paper[run, q] - 1))
         }
-        n = split("Fc bouncing creeping netStart netEnd peakTime hash code", \
-            more, " ")
-        for (i = 1; i <= n; i++) printf ",%s", ours[run, more[i]]
+        for (i = 1; i <= nMore; i++) printf ",%s", ours[run, more[i]]
         print ""
     }
 }
