@@ -8,6 +8,7 @@
 #include "testNumber.H"
 
 #include "IStringStream.H"
+#include "OSspecific.H"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -157,6 +158,41 @@ TEST(history, ofAnEvenAccelerationGrowsWithTheRootOfTime)
            *(std::pow(n + 1., 1.5) - std::pow(scalar(n), 1.5));
         ASSERT_NEAR(f.x()/exact, 1, 0.01) << n;
     }
+}
+
+
+TEST(history, goesOnWhereItWasWritten)
+{
+    const string laws("drag { model none; } history { window 0.5; }");
+    const fileName folder("historyTest.written");
+    mkDir(folder);
+    const vector a(3, -1, 0.5);
+    const auto next = [&](sphere& s, const label from, const label to)
+    {
+        vector F(Zero);
+        for (label i = from; i < to; ++i)
+        {
+            F = s.force(i*interval*a, a);
+        }
+        return F;
+    };
+
+    sphere through(laws, false);
+    next(through, 0, 7);
+    ASSERT_TRUE(through.forces->writeState(folder));
+
+    sphere goesOn(laws, false);
+    goesOn.forces->readState(folder);
+    sphere anew(laws, false);
+    EXPECT_EQ(next(goesOn, 7, 9), next(through, 7, 9));
+    EXPECT_GT(mag(next(goesOn, 9, 10) - next(anew, 9, 10)), 1e-3);
+
+    // Of another window it is of no use
+    sphere other("drag { model none; } history { window 1; }", false);
+    other.forces->readState(folder);
+    sphere fresh("drag { model none; } history { window 1; }", false);
+    EXPECT_EQ(next(other, 7, 9), next(fresh, 7, 9));
+    rmDir(folder);
 }
 
 

@@ -118,6 +118,14 @@ void Foam::grainCoupling::start
 
     if (phase_->restarted())
     {
+        // Beside the state of the grains, wherever the file handler keeps it
+        forces_->readState
+        (
+            fileHandler().filePath
+            (
+                mesh_.time().timePath()/granularPhase::stateFolder/"state"
+            ).path()
+        );
         return;
     }
 

@@ -63,7 +63,8 @@ bool Foam::grainCoupling::write()
         mkDir(folder);
     }
 
-    const bool stateComplete = phase_->writeState(folder);
+    const bool forcesComplete = forces_->writeState(folder);
+    const bool stateComplete = phase_->writeState(folder) && forcesComplete;
 
     // Writing the state may bring grains to other ranks and in another order.
     // Sums in that order are what a restart finds, to the last bit

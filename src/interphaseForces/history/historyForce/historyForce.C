@@ -4,6 +4,9 @@
 #include "historyForce.H"
 
 #include "HashSet.H"
+#include "IFstream.H"
+#include "OFstream.H"
+#include "OSspecific.H"
 #include "Pstream.H"
 #include "closure.H"
 #include "mathematicalConstants.H"
@@ -15,6 +18,9 @@ namespace
 
 //- Distance of the exponentials in the logarithm of x: to 5e-4 of the kernel
 constexpr Foam::scalar step = 0.6;
+
+//- The file of the past, in the folder of the grains' state
+const Foam::word fileOfPast("history");
 
 //- Basset's factor, 3/2 d^2 sqrt(pi rho mu) [kg/sqrt(s)]
 Foam::scalar factor(const Foam::grainState& state)
@@ -31,7 +37,8 @@ Foam::historyForce::historyForce(const dictionary& dict)
 :
     strength_(closure::strength(dict)),
     window_(dict.lookupOrDefault<scalar>("window", 1)),
-    interval_(0)
+    interval_(0),
+    readInterval_(0)
 {
     keywords::check(dict, {"strength", "window"});
 
@@ -50,11 +57,23 @@ void Foam::historyForce::makeExponentials(const scalar interval)
     {
         return;
     }
+    // What was read waits for its exponentials
+    const bool isRead = interval_ == 0 && readInterval_ > 0;
+    const bool fits = mag(readInterval_ - interval) < 1e-9*interval;
+    if (isRead && !fits)
+    {
+        Info<< "History force: its past is of an exchange interval of "
+            << readInterval_ << " s, now it is " << interval
+            << " s; it begins anew" << endl;
+    }
+    if (!isRead || !fits)
+    {
+        past_.clear();
+    }
     interval_ = interval;
     fall_.clear();
     made_.clear();
     felt_.clear();
-    past_.clear();
 
     // Decay times from a small part of the interval to ten windows
     const scalar last = -0.5*std::log(10*window_);
@@ -123,6 +142,89 @@ void Foam::historyForce::follow(const List<locatedGrain>& grains)
                 );
             }
         }
+    }
+}
+
+
+bool Foam::historyForce::write(const fileName& folder) const
+{
+    if (!active())
+    {
+        return true;
+    }
+
+    List<labelList> ids(Pstream::nProcs());
+    List<vectorList> numbers(Pstream::nProcs());
+    for (const label id : past_.sortedToc())
+    {
+        ids[Pstream::myProcNo()].append(id);
+        numbers[Pstream::myProcNo()].append(past_[id]);
+    }
+    Pstream::gatherList(ids);
+    Pstream::gatherList(numbers);
+    if (!Pstream::master())
+    {
+        return true;
+    }
+
+    const fileName aside(folder/fileOfPast + ".incomplete");
+    {
+        OFstream os(aside, IOstream::BINARY);
+        os << scalarList({interval_, window_}) << ids << numbers;
+        os.flush();
+        if (!os.good())
+        {
+            return false;
+        }
+    }
+    return mv(aside, folder/fileOfPast);
+}
+
+
+void Foam::historyForce::read(const fileName& folder)
+{
+    if (!active())
+    {
+        return;
+    }
+
+    // One rank knows all of it; follow() brings it to the others
+    bool there = true;
+    if (Pstream::master())
+    {
+        there = isFile(folder/fileOfPast, false);
+        if (there)
+        {
+            IFstream is(folder/fileOfPast, IOstream::BINARY);
+            scalarList times;
+            List<labelList> ids;
+            List<vectorList> numbers;
+            is >> times >> ids >> numbers;
+            readInterval_ = times[0];
+            there = times[1] == window_;
+            forAll(ids, rank)
+            {
+                const label n = there ? ids[rank].size() : 0;
+                for (label i = 0; i < n; ++i)
+                {
+                    const label width = numbers[rank].size()/n;
+                    past_.insert
+                    (
+                        ids[rank][i],
+                        vectorList
+                        (
+                            SubList<vector>(numbers[rank], width, i*width)
+                        )
+                    );
+                }
+            }
+        }
+    }
+    Pstream::scatter(readInterval_);
+    if (!returnReduce(there, andOp<bool>()))
+    {
+        Info<< "History force: no past of this window is in " << folder
+            << "; it begins anew" << endl;
     }
 }
 
