@@ -331,6 +331,16 @@ TEST(misfitDiagnosis, whatIsNotInTheLibraryIsUnknown)
 }
 
 
+TEST(misfitDiagnosis, twoPackingsThatAreTheSameAreAnError)
+{
+    // The surge in closed form has no grains: all its packings are alike
+    settings set(worldSettings());
+    set.packings = 2;
+    worldSampler s(truth(-1, 0), 100, vec());
+    EXPECT_THROW(diagnose(s, set), Foam::error);
+}
+
+
 TEST(misfitDiagnosis, aCandidateThatCrashesTheSolverDropsOut)
 {
     worldSampler s(truth(0, 0.7), 200, vec());

@@ -173,8 +173,30 @@ void Foam::misfit::diagnosis::uncertainty()
             gate_->addDifference(given[i].gate - given.first().gate);
         }
     }
+    checkPackings(fit);
     fit_->addRepeats(fit, settings_.common);
     gate_->addRepeats(gate, settings_.common);
+}
+
+
+void Foam::misfit::diagnosis::checkPackings(const mat& packings) const
+{
+    for (label i = 0; i < packings.cols(); ++i)
+    {
+        for (label j = 0; j < i; ++j)
+        {
+            if ((packings.col(i) - packings.col(j)).isZero(0))
+            {
+                FatalErrorInFunction
+                    << "Two packings give the same numbers in all channels, so"
+                    << " the spread between packings comes out too small."
+                    << nl << "    Does what 'packing' changes in"
+                    << " system/misfitDict take the case's own value once more?"
+                    << " 'offset 1;' in it makes the second packing 2."
+                    << exit(FatalError);
+            }
+        }
+    }
 }
 
 
