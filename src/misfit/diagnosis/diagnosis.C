@@ -173,19 +173,23 @@ void Foam::misfit::diagnosis::uncertainty()
             gate_->addDifference(given[i].gate - given.first().gate);
         }
     }
-    checkPackings(fit);
+    checkPackings(fit, gate);
     fit_->addRepeats(fit, settings_.common);
     gate_->addRepeats(gate, settings_.common);
 }
 
 
-void Foam::misfit::diagnosis::checkPackings(const mat& packings) const
+void Foam::misfit::diagnosis::checkPackings
+(
+    const mat& fit,
+    const mat& gate
+) const
 {
-    for (label i = 0; i < packings.cols(); ++i)
+    for (label i = 0; i < fit.cols(); ++i)
     {
         for (label j = 0; j < i; ++j)
         {
-            if ((packings.col(i) - packings.col(j)).isZero(0))
+            if (fit.col(i) == fit.col(j) && gate.col(i) == gate.col(j))
             {
                 FatalErrorInFunction
                     << "Two packings give the same numbers in all channels, so"
