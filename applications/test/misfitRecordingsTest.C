@@ -90,7 +90,7 @@ std::string refusalOfAll(const std::string& entries, const label unknowns = 0)
 {
     files f;
     f.write("a.csv", "t_s,p_Pa\n0,1\n1,2\n2,4\n");
-    f.write("b.csv", "t_s,p_Pa\n0,1\n1,2\n2,4\n");
+    f.write("b.csv", "t_s,p_Pa\n0,1\n1,3\n2,4\n");
     IStringStream is(entries);
     const dictionary dict(is);
     try
@@ -356,7 +356,7 @@ TEST(misfitRecordings, heldOutChannelsAreNotFitted)
 {
     files f;
     f.write("a.csv", "t_s,p_Pa\n0,1\n1,2\n2,4\n");
-    f.write("b.csv", "t_s,p_Pa\n0,1\n1,2\n2,4\n");
+    f.write("b.csv", "t_s,p_Pa\n0,1\n1,3\n2,4\n");
     IStringStream is(twoChannels + "heldOut { gate (S2); }");
     const dictionary dict(is);
     const recordings all(dict, f.folder());
@@ -370,7 +370,7 @@ TEST(misfitRecordings, allChannelsOfAHeldOutExperimentAreHeldOut)
 {
     files f;
     f.write("a.csv", "t_s,p_Pa\n0,1\n1,2\n2,4\n");
-    f.write("b.csv", "t_s,p_Pa\n0,1\n1,2\n2,4\n");
+    f.write("b.csv", "t_s,p_Pa\n0,1\n1,3\n2,4\n");
     IStringStream is
     (
         "experiments { A {} B { use score; } } channels { S1 {" + pressure
@@ -398,7 +398,7 @@ TEST(misfitRecordings, heldOutDataListedTwiceIsRefused)
             "channels { S1 {" + pressure + "file \"a.csv\"; } S2 {" + pressure
           + "file \"a.csv\"; } } heldOut { gate (S2); }"
         ),
-        "are the same column"
+        "are the same numbers"
     );
 }
 

@@ -41,6 +41,8 @@ Foam::misfit::interval Foam::misfit::ofMedian(scalarList values)
             return values[min(max(label(rank) - 1, label(0)), i.n - 1)];
         };
         i.value = 0.5*(values[(i.n - 1)/2] + values[i.n/2]);
+        // The least and the largest of five hold the median in 94 of 100 cases
+        i.known = i.n > 5;
         i.low = ranked(std::floor(0.5*i.n - half));
         i.high = ranked(std::ceil(1 + 0.5*i.n + half));
     }
@@ -85,5 +87,5 @@ std::string Foam::misfit::against(const interval& i, const std::string& goal)
     };
     return
         !reaches(i.value) ? "short"
-      : reaches(least ? i.low : i.high) ? "shown" : "open";
+      : i.known && reaches(least ? i.low : i.high) ? "shown" : "open";
 }

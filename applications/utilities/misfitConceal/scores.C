@@ -92,6 +92,18 @@ bool Foam::misfit::openedCase::nothingWrong() const
 }
 
 
+bool Foam::misfit::openedCase::blamesPhysics() const
+{
+    bool aFault = false;
+    for (const std::string& name : names())
+    {
+        const std::string channel = key["faulty"];
+        aFault = aFault || name.find(channel) != std::string::npos;
+    }
+    return named() || (said() == "set" && !aFault);
+}
+
+
 Foam::scalar Foam::misfit::openedCase::overlap() const
 {
     scalar both = 0;
@@ -234,7 +246,7 @@ void Foam::misfit::scores::add(const openedCase& c)
         right =
             (c.said() == "sensor" || c.said() == "registration")
          && c.names() == nameList({c.key["faulty"].get<std::string>()});
-        blamed_.count(c.named());
+        blamed_.count(c.blamesPhysics());
         if (strong)
         {
             sensor_.count(right);

@@ -80,10 +80,17 @@ int main(int argc, char* argv[])
     const argList args(argc, argv);
     Time runTime(Time::controlDictName, args);
 
+    const fileName folder(runTime.path()/"misfit");
+    if (!args.found("dry-run"))
+    {
+        // Not the answer of an earlier time while this one is not finished
+        rm(folder/"verdict.json");
+        rm(folder/"report.html");
+    }
+
     const word dictName("misfitDict");
     #include "setSystemRunTimeDictionaryIO.H"
     const IOdictionary dict(dictIO);
-    const fileName folder(runTime.path()/"misfit");
     const settings set(readSettings(dict));
     const recordings recorded(dict, runTime.path());
     recorded.checkEnough(dict, set.parameters.size() + 2);
@@ -98,8 +105,6 @@ int main(int argc, char* argv[])
         return 0;
     }
 
-    // Not the verdict of an earlier time while this one is not finished
-    rm(folder/"verdict.json");
     const finding& found = diagnose();
     writeReport(found, folder, runTime.path().name());
     tellFinding(found, folder);

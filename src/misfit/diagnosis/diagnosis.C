@@ -147,7 +147,8 @@ void Foam::misfit::diagnosis::uncertainty()
     {
         FatalErrorInFunction
             << "The base case did not run: " << given.first().failure.c_str()
-            << nl << "Mend the case first; nothing was diagnosed"
+            << nl << "Mend the case first; nothing was diagnosed. If the case"
+            << " is sound, delete its folder in misfit/runs to have it run again"
             << exit(FatalError);
     }
 

@@ -30,14 +30,6 @@ scalar gain(const sampledModel& m, const hypothesis& h, const scalar tolerance)
 }
 
 
-//- Mean square of a whitened misfit
-scalar square(const stacked& data, const vec& f, const whitener& white)
-{
-    return white(vec(data.y - f)).squaredNorm()/data.size();
-}
-
-
-//- True if all that one has on is on in the other too
 //- Each channel moved round by half of its length
 vec halfRoundLater(const stacked& data, const vec& v)
 {
@@ -60,6 +52,7 @@ scalar likeness(const vec& a, const vec& b)
 }
 
 
+//- True if all that one has on is on in the other too
 bool contains(const hypothesis& all, const hypothesis& some)
 {
     for (const label m : some.mechanisms)
@@ -77,11 +70,12 @@ bool contains(const hypothesis& all, const hypothesis& some)
 
 bool Foam::misfit::diagnosis::passed(const word& name) const
 {
+    // Each held-out experiment has a gate of the same name
     for (const gate& g : found_.gates)
     {
-        if (g.name == name)
+        if (g.name == name && g.applies && !g.passed)
         {
-            return g.passed || !g.applies;
+            return false;
         }
     }
     return true;
@@ -191,8 +185,8 @@ Foam::misfit::gate Foam::misfit::diagnosis::heldOutGate
 }
 
 
-Foam::List<Foam::label>
-Foam::misfit::diagnosis::winnersWithout(const label segment) const
+Foam::misfit::hypothesis
+Foam::misfit::diagnosis::winnerWithout(const label segment) const
 {
     const auto rest(fit_->without(segment, width_));
     const wordList names(mechanismNames());
@@ -222,10 +216,10 @@ Foam::misfit::diagnosis::winnersWithout(const label segment) const
          && !contains(w.what, best().what) && !contains(best().what, w.what);
         if (other && told(w.what, names) != here && w.score < own - settings_.gap)
         {
-            return w.what.mechanisms;
+            return w.what;
         }
     }
-    return best().what.mechanisms;
+    return best().what;
 }
 
 
@@ -242,24 +236,26 @@ Foam::misfit::gate Foam::misfit::diagnosis::stabilityGate()
     {
         if (applies)
         {
-            const List<label> winners(winnersWithout(i));
-            const bool stable = winners == best().what.mechanisms;
+            const hypothesis winner(winnerWithout(i));
+            const bool stable =
+                !winner.fault && winner.mechanisms == best().what.mechanisms;
             ++asked;
             held += stable;
             lost += stable ? "" : " " + channels[i].name;
             labelList both;
-            for (const label m : winners)
+            for (const label m : winner.mechanisms)
             {
                 if (stable_.found(m))
                 {
                     both.append(m);
                 }
-                if (!best().what.mechanisms.found(m))
-                {
-                    winners_.append(mechanismNames()[m]);
-                }
             }
             stable_ = both;
+            const word name(told(winner, mechanismNames()), false);
+            if (!stable && !winners_.found(name))
+            {
+                winners_.append(name);
+            }
         }
     }
     return
@@ -338,12 +334,7 @@ void Foam::misfit::diagnosis::addHeldOut()
             const mat c =
                 known
               ? known->at(b) : covariance(data, settings_.trigger).at(b);
-            const whitener white(c);
-            found_.held.append
-            ({
-                what, use, data, a, b, c.diagonal().cwiseSqrt(),
-                square(data, a, white), square(data, b, white)
-            });
+            found_.held.append(compared(what, use, data, a, b, c));
         }
     };
 
@@ -400,6 +391,27 @@ void Foam::misfit::diagnosis::addHeldOut()
                 gates ? given[1].gate : given[1].score,
                 &known
             );
+            if (gates && other.score.size())
+            {
+                add
+                (
+                    "scored channels of experiment " + other.experiment,
+                    purpose::score, other.score, given[0].score,
+                    given[1].score, nullptr
+                );
+            }
+        }
+        else if (gates)
+        {
+            found_.gates.append
+            ({
+                "transfer",
+                "The solver runs in experiment " + other.experiment,
+                given[1].ok() ? given[0].failure : given[1].failure,
+                "runs",
+                true,
+                false
+            });
         }
     }
 }

@@ -108,6 +108,20 @@ void Foam::misfit::diagnosis::refit()
 }
 
 
+bool Foam::misfit::diagnosis::isComputed(const weighed& w) const
+{
+    const string name(told(w.what, mechanismNames()));
+    for (const computed& c : computed_)
+    {
+        if (c.explanation == name)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
 Foam::misfit::diagnosis::computed
 Foam::misfit::diagnosis::lookUp(const weighed& w) const
 {

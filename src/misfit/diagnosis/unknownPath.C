@@ -300,7 +300,8 @@ Foam::misfit::unknownPath::fit Foam::misfit::unknownPath::explain
     const dimensionlessLaw& best = laws[order[0]];
     const fit& first = fits[order[0]];
     found_.explained =
-        free.score - first.score
+        first.variables.size()
+     && free.score - first.score
      >= (free.free.size() ? settings_.gap : settings_.evidence);
     for (const label i : order)
     {

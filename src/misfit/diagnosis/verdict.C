@@ -90,6 +90,12 @@ void Foam::misfit::diagnosis::prefer()
         part.unknown = true;
         putFirst(told(part, names));
     }
+
+    // Held-out data are judged by the solver, not by the surface
+    if (found_.detection.p < settings_.significance && !isComputed(best()))
+    {
+        found_.explanations[0] = refitted(best());
+    }
 }
 
 
@@ -106,7 +112,14 @@ void Foam::misfit::diagnosis::judge(List<weighed>& near)
             return;
         }
     }
-    if (faults == near.size())
+    bool oneChannel = faults == near.size();
+    for (const weighed& w : near)
+    {
+        oneChannel =
+            oneChannel
+         && w.what.fault->channel() == best().what.fault->channel();
+    }
+    if (oneChannel)
     {
         found_.verdict =
             sensorFault::isRegistration(best().what.fault->type())
@@ -184,11 +197,12 @@ void Foam::misfit::diagnosis::decide()
     forAll(best().what.mechanisms, i)
     {
         const label k = bounds_.nParameters + i;
-        if (changed)
+        const word name(mechanismNames()[best().what.mechanisms[i]]);
+        if (changed && (!partly_ || found_.names.found(name)))
         {
             found_.strengths.append
             ({
-                mechanismNames()[best().what.mechanisms[i]],
+                name,
                 best().best.x[k],
                 best().best.deviation(k),
                 best().best.pinned[k]
@@ -232,7 +246,8 @@ void Foam::misfit::diagnosis::confide()
         const word& v = found_.verdict;
         const bool counts =
             v == "none" ? w.what.isNone()
-          : v == "sensor" || v == "registration" ? isFault(w)
+          : v == "sensor" || v == "registration"
+          ? isFault(w) && w.what.fault->channel() == found_.names[0]
           : v == "unknown" ? w.what.isOnlyUnknown()
           : v == "set" ? w.score < lowest + settings_.gap
           : told(w.what, mechanismNames())

@@ -109,6 +109,14 @@ Foam::misfit::probeObserver::read(const fileName& caseFolder) const
             << " that it is on:  patch <name>;" << exit(FatalError);
     }
 
+    if (component_ < 0 && table.rows().size() && table.rows()[0].size() > 2)
+    {
+        FatalErrorInFunction
+            << "The channel " << of().name() << " observes the field " << field_
+            << ", which has directions: name one,  component x;  (or y, z)"
+            << exit(FatalError);
+    }
+
     series s;
     forAll(table.rows(), i)
     {

@@ -45,9 +45,17 @@ Foam::label column
     const Foam::string& name
 )
 {
-    return
-        name.find_first_not_of("0123456789") == std::string::npos
-      ? std::stoi(name) - 1 : table.find(name);
+    if (name.find_first_not_of("0123456789") != std::string::npos)
+    {
+        return table.find(name);
+    }
+    if (std::stoi(name) < 1)
+    {
+        FatalErrorInFunction
+            << "Columns are counted from 1, the first; there is no column "
+            << name.c_str() << Foam::exit(Foam::FatalError);
+    }
+    return std::stoi(name) - 1;
 }
 
 } // End anonymous namespace

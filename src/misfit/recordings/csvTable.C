@@ -48,6 +48,14 @@ Foam::scalar number(const Foam::string& cell)
 
 void Foam::misfit::csvTable::readNames(const std::string& line)
 {
+    if (line.find(';') != std::string::npos)
+    {
+        FatalErrorInFunction
+            << "The file " << file_ << " has semicolons. Write commas between"
+            << " the columns and points in the numbers: 0.5,1013"
+            << exit(FatalError);
+    }
+
     names_ = cellsOf(line);
     columns_.setSize(names_.size());
 

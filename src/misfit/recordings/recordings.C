@@ -5,6 +5,8 @@
 #include "keywords.H"
 #include "FlatOutput.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::misfit::recordings::readExperiments(const dictionary& dict)
@@ -75,16 +77,27 @@ Foam::misfit::recordings::readHeldOut(const dictionary& dict) const
 
 void Foam::misfit::recordings::checkOnce(const dictionary& dict) const
 {
-    HashTable<word> seen;
-    for (const channel& c : channels_)
+    // By their numbers: the same file may have another name, or be a copy
+    forAll(channels_, i)
     {
-        if (c.isRecorded() && !seen.insert(c.source(), c.name()))
+        const channel& a = channels_[i];
+        for (label j = 0; j < i; ++j)
         {
-            FatalIOErrorInFunction(dict)
-                << "The channels " << seen[c.source()] << " and " << c.name()
-                << " are the same column " << c.source().c_str()
-                << ". What is held out must not be seen elsewhere: remove one"
-                << exit(FatalIOError);
+            const channel& b = channels_[j];
+            if
+            (
+                a.isRecorded() && b.isRecorded() && a.recorded().x.size() > 1
+             && a.recorded().x == b.recorded().x
+             && a.recorded().y == b.recorded().y
+            )
+            {
+                FatalIOErrorInFunction(dict)
+                    << "The channels " << b.name() << " and " << a.name()
+                    << " are the same numbers, " << b.source().c_str()
+                    << " and " << a.source().c_str()
+                    << ". What is held out must not be seen elsewhere: remove"
+                    << " one" << exit(FatalIOError);
+            }
         }
     }
 }
@@ -124,10 +137,8 @@ Foam::misfit::recordings::recordings
                 << c.experiment() << ", which is not there. Experiments: "
                 << flatOutput(experiments_) << exit(FatalIOError);
         }
-        if (this->use(c.experiment()) != purpose::fit)
-        {
-            c.use(this->use(c.experiment()));
-        }
+        // What is only to be scored stays so, whatever its experiment is for
+        c.use(std::max(use, this->use(c.experiment())));
     }
     checkOnce(dict);
 }

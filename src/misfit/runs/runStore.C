@@ -55,6 +55,10 @@ string digest(const string& text)
 }
 
 
+//- What etc/misfitRun says before the limit [s] that a run did not keep
+const string tookLonger(" took longer than ");
+
+
 string quoted(const fileName& path)
 {
     return "'" + path + "'";
@@ -103,10 +107,18 @@ Foam::string Foam::misfit::runStore::hashTemplate() const
     }
     std::sort(files.begin(), files.end());
 
+    // A mesh that the commands make anew is not what the run is made of
+    bool meshIsMade = false;
+    for (const string& c : commands_)
+    {
+        meshIsMade = meshIsMade || c.find("Mesh") != string::npos;
+    }
+
     string all;
     for (const fileName& f : files)
     {
-        if (f.name() != "misfitDict" && f.find("/polyMesh/") == string::npos)
+        const bool ofMesh = f.find("/polyMesh/") != string::npos;
+        if (f.name() != "misfitDict" && !(ofMesh && meshIsMade))
         {
             all += f.substr(template_.size()) + digest(contentOf(f)) + '\n';
         }
@@ -219,7 +231,25 @@ Foam::fileName Foam::misfit::runStore::caseOf(const wantedRun& run) const
 
 bool Foam::misfit::runStore::isFinished(const wantedRun& run) const
 {
-    return isFile(folder_/name(run)/"finished", false);
+    const fileName file(folder_/name(run)/"finished");
+    if (!isFile(file, false))
+    {
+        return false;
+    }
+
+    if (tried_.found(name(run)))
+    {
+        return true;
+    }
+
+    // What another limit, or a machine with room, may mend is tried again
+    const string said(contentOf(file));
+    const auto late = said.find(tookLonger);
+    const bool hasMoreTime =
+        late != string::npos
+     && timeLimit_ > std::atof(said.c_str() + late + tookLonger.size());
+    const bool wasKilled = said.find(" ended with 137") != string::npos;
+    return !hasMoreTime && !wasKilled;
 }
 
 
@@ -255,6 +285,7 @@ void Foam::misfit::runStore::finish(const List<wantedRun>& runs)
             prepare(name(run), run);
         }
     }
+    tried_ |= todo;
     if (todo.empty())
     {
         return;
