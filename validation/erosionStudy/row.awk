@@ -6,27 +6,71 @@
 #   awk -v run= -v hash= -v code= -v ranks= -v seconds= -v endTime= -f row.awk \
 #       tables...
 
-# Object and table from .../<object>/<start>/<table>.dat
+# .../<object>/<start>/<table>.dat: a run that was stopped has tables of several
+# starts, in any order. Where a start wrote no state before it was killed, the next
+# one is at the same time, and its table is <table>_<start>.dat: a little later here
 FNR == 1 {
     n = split(FILENAME, part, "/")
-    table = part[n - 2] " " substr(part[n], 1, length(part[n]) - 4)
+    table = part[n]
+    sub(/\.dat$/, "", table)
+    again = sub(/_[0-9.]+(e[-+]?[0-9]+)?$/, "", table)
+    table = part[n - 2] " " table
+    tableOf[++file] = table
+    began[file] = part[n - 1] + (again ? 1e-9 : 0)
 }
 
 /^#/ {
-    for (i = 2; i <= NF; i++) name[i - 1] = $i
+    nColumns = NF - 1
+    for (i = 1; i <= nColumns; i++) name[i] = $(i + 1)
+    if (name[1] == "Time")
+        for (i = 1; i <= nColumns; i++) place[table, name[i]] = i
     next
 }
 
-# A run that was stopped has tables of several starts, in any order
-$1 + 0 >= latest[table] {
-    latest[table] = $1 + 0
-    for (i = 1; i <= NF; i++) value[table " " name[i]] = $i
+# Profiles are not needed; a line that a kill has cut short is none
+name[1] != "Time" || NF < nColumns { next }
+
+# At equal times the later start wins
+{
+    reached[file] = $1 + 0
+    if (!((table, $1) in from)) times[table, ++nTimes[table]] = $1
+    else if (began[from[table, $1]] > began[file]) next
+    from[table, $1] = file
+    text[table, $1] = $0
 }
 
-table == "bed layers" {
-    ++nLayers
-    layerTime[nLayers] = $1
-    for (i = 2; i <= NF; i++) layer[nLayers, name[i]] = $i
+# False if a later start went over this time again, in steps of its own
+function counts(table, t,    f)
+{
+    for (f in tableOf)
+        if (tableOf[f] == table && began[f] > began[from[table, t]] \
+            && began[f] < t + 0 && reached[f] >= t + 0) return 0
+    return 1
+}
+
+# Number in the line of a time; "" where there is none
+function cell(table, t, column,    c)
+{
+    if (!((table, t) in text) || !((table, column) in place)) return ""
+    split(text[table, t], c, " ")
+    return c[place[table, column]] + 0
+}
+
+function lastTime(table,    k, t, latest)
+{
+    latest = ""
+    for (k = 1; k <= nTimes[table]; k++)
+    {
+        t = times[table, k]
+        if ((latest == "" || t + 0 > latest + 0) && counts(table, t)) latest = t
+    }
+    return latest
+}
+
+# Number in the last line of a table
+function last(table, column)
+{
+    return cell(table, lastTime(table), column)
 }
 
 function put(heading, v)
@@ -37,30 +81,34 @@ function put(heading, v)
         exit 1
     }
     head = head (head == "" ? "" : ",") heading
-    line = line (line == "" ? "" : ",") v
+    row = row (row == "" ? "" : ",") v
 }
 
-# heading, table and column
-function last(heading, where)
+function putLast(table, columns,    n, i, column)
 {
-    put(heading, (where in value) ? value[where] + 0 : "")
+    n = split(columns, column, " ")
+    for (i = 1; i <= n; i++) put(column[i], last(table, column[i]))
 }
 
-# Mean of a column of the layers over the net erosion
-function overErosion(column,    k, sum, n)
+# Mean of a column of the layers over the net erosion; that of a velocity is over
+# what moves, with its thickness, since a layer without grains has none
+function overErosion(column, thickness,    k, t, w, sum, weights)
 {
-    for (k = 1; k <= nLayers; k++)
-        if (layerTime[k] >= begin && layerTime[k] <= end)
-        {
-            sum += layer[k, column]
-            n++
-        }
-    put(column, n ? sum/n : 0)
+    for (k = 1; k <= nTimes["bed layers"]; k++)
+    {
+        t = times["bed layers", k]
+        if (t + 0 < begin || t + 0 > end || !counts("bed layers", t)) continue
+        w = thickness == "" ? 1 : cell("bed layers", t, thickness)
+        sum += w*cell("bed layers", t, column)
+        weights += w
+    }
+    put(column, !(("bed layers", column) in place) ? "" : \
+        weights > 0 ? sum/weights : 0)
 }
 
 END {
-    t = value["front surgeFront Time"]
     # After a stop the looks are no longer at whole intervals
+    t = lastTime("front surgeFront") + 0
     if (t < 0.98*endTime)
     {
         print "it ended at " t " s and not at " endTime " s"
@@ -69,31 +117,19 @@ END {
     put("run", run); put("hash", hash); put("code", code)
     put("ranks", ranks); put("seconds", seconds)
     put("endTime", endTime)
-    last("U", "front summary U")
-    last("h", "front summary h")
-    last("Fr", "front summary Fr")
-    last("tBegin", "front summary tBegin")
-    last("tEnd", "front summary tEnd")
-    last("H", "bed summary H")
-    last("L", "bed summary L")
-    last("Lc", "bed summary Lc")
-    last("Ue", "bed summary Ue")
-    last("xEnd", "bed bedErosion xEnd")
-    last("netStart", "bed summary netStart")
-    last("netEnd", "bed summary netEnd")
-    last("peakTime", "bed summary peakTime")
-    last("peakRate", "bed summary peakRate")
-    begin = value["bed summary netStart"]
-    end = value["bed summary netEnd"]
-    overErosion("bouncing"); overErosion("Ubouncing")
-    overErosion("creeping"); overErosion("Ucreeping")
+    putLast("front summary", "U h Fr tBegin tEnd")
+    putLast("bed summary", "H L Lc Ue")
+    putLast("bed bedErosion", "xEnd")
+    putLast("bed summary", "netStart netEnd peakTime peakRate")
+    begin = last("bed summary", "netStart")
+    end = last("bed summary", "netEnd")
+    overErosion("bouncing"); overErosion("Ubouncing", "bouncing")
+    overErosion("creeping"); overErosion("Ucreeping", "creeping")
     overErosion("stationary")
-    last("Fc", "load summary Fc")
-    last("M", "load summary M")
-    last("E", "load summary E")
-    last("waterError", "water massBalance waterError")
-    last("grainsLeft", "water massBalance left")
-    last("grainsMissing", "water massBalance grainsMissing")
+    putLast("load summary", "Fc M E")
+    putLast("water massBalance", "waterError")
+    put("grainsLeft", last("water massBalance", "left"))
+    putLast("water massBalance", "grainsMissing")
     print head
-    print line
+    print row
 }
