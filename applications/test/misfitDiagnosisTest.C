@@ -27,8 +27,10 @@ class worldSampler
 
     HashSet<string, string::hash> asked_;
 
-    //- A mechanism at which the solver fails
+    //- A mechanism at which the solver fails, and an experiment in which it
+    //  fails with any
     label crashing_ = -1;
+    word failing_;
 
 
     stacked gate() const
@@ -56,7 +58,7 @@ class worldSampler
     vec simulated(const vec& x, const word& experiment) const
     {
         vec y = x;
-        y[0] -= experiment == "B" ? 0.3 : 0;
+        y[0] -= experiment == "A" ? 0 : 0.3;
         return world_(y);
     }
 
@@ -109,6 +111,22 @@ public:
         crashing_ = mechanism;
     }
 
+    void failIn(const word& experiment)
+    {
+        failing_ = experiment;
+    }
+
+    //- A further experiment like B, in which nothing was left out
+    void addContradiction()
+    {
+        observed o(data_.last());
+        o.experiment = "D";
+        vec x = vec::Zero(world_.bounds.mean.size());
+        x[0] = -0.3;
+        o.gate.y = world_(x);
+        data_.append(o);
+    }
+
     List<samples> operator()(const List<runState>& states) override
     {
         List<samples> all(states.size());
@@ -118,7 +136,14 @@ public:
             runs = asked_.size();
             const vec x = variables(states[i]);
             const vec f = simulated(x, states[i].experiment);
-            if (crashing_ >= 0 && x[world::nParameters + crashing_] > 0)
+            const bool fails =
+                states[i].experiment == failing_
+             && states[i].strengths.size();
+            if
+            (
+                fails
+             || (crashing_ >= 0 && x[world::nParameters + crashing_] > 0)
+            )
             {
                 all[i].failure = "floating point exception";
             }
@@ -280,6 +305,31 @@ TEST(misfitDiagnosis, aNamedEffectIsLocatedWithoutMostOfTheNoise)
 
     // From the recordings alone: 0.66
     EXPECT_GT(2*both/lengths, 0.8);
+}
+
+
+TEST(misfitDiagnosis, eachHeldOutExperimentMustConfirmIt)
+{
+    worldSampler agrees(truth(0, 0.7), 200, vec());
+    EXPECT_EQ(diagnose(agrees).verdict, "named");
+
+    // B confirms it, the one behind it does not
+    worldSampler s(truth(0, 0.7), 200, vec());
+    s.addContradiction();
+    const finding f(diagnose(s));
+    show(f);
+    EXPECT_EQ(f.verdict, "unknown");
+    EXPECT_TRUE(f.names.empty());
+}
+
+
+TEST(misfitDiagnosis, anExperimentInWhichTheSolverFailsConfirmsNothing)
+{
+    worldSampler s(truth(0, 0.7), 200, vec());
+    s.failIn("B");
+    const finding f(diagnose(s));
+    show(f);
+    EXPECT_EQ(f.verdict, "unknown");
 }
 
 

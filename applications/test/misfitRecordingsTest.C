@@ -383,6 +383,23 @@ TEST(misfitRecordings, allChannelsOfAHeldOutExperimentAreHeldOut)
 }
 
 
+TEST(misfitRecordings, whatIsSealedIsNotUsedWhereItsExperimentGates)
+{
+    files f;
+    f.write("a.csv", "t_s,p_Pa\n0,1\n1,2\n2,4\n");
+    f.write("b.csv", "t_s,p_Pa\n0,1\n1,3\n2,4\n");
+    IStringStream is
+    (
+        "experiments { A {} B { use gate; } } channels { S1 {" + pressure
+      + "file \"a.csv\"; } S2 {" + pressure
+      + "file \"b.csv\"; experiment B; } } heldOut { score (S2); }"
+    );
+    const recordings all(dictionary(is), f.folder());
+    EXPECT_EQ(all.select("B", purpose::score), labelList({1}));
+    EXPECT_TRUE(all.select("B", purpose::gate).empty());
+}
+
+
 TEST(misfitRecordings, heldOutDataListedTwiceIsRefused)
 {
     const std::string twice("heldOut lists S2 twice");
@@ -400,6 +417,16 @@ TEST(misfitRecordings, heldOutDataListedTwiceIsRefused)
         ),
         "are the same numbers"
     );
+}
+
+
+TEST(misfitRecordings, aCopyOfHeldOutDataIsRefused)
+{
+    files f;
+    f.write("a.csv", "t_s,p_Pa\n0,1\n1,2\n2,4\n");
+    f.write("b.csv", "# a copy\nt_s,p_kPa\n0,0.001\n1,0.002\n2,0.004\n");
+    IStringStream is(twoChannels + "heldOut { gate (S2); }");
+    EXPECT_THROW(recordings(dictionary(is), f.folder()), Foam::error);
 }
 
 

@@ -63,7 +63,7 @@ public:
             "slope=$(value slope); lift=$(value strength)\n"
             "echo x >> " + folder_ + "/count\n"
             "[ \"$slope\" != 9 ] || { echo the time step is too long; exit 3; }\n"
-            "[ \"$slope\" != 8 ] || sleep 20\n"
+            "[ \"$slope\" != 8 ] || sleep 4\n"
             "mkdir -p postProcessing/out/0 1\n"
             "awk -v k=$slope -v l=${lift:-0} 'BEGIN { print \"# Time y\";"
             " for (t = 0; t <= 2; ++t) print t, k*t + l }'"
@@ -274,10 +274,19 @@ TEST(misfitRuns, aCrashIsKeptWithItsReason)
 TEST(misfitRuns, aRunBeyondItsTimeHasFailed)
 {
     const fakeCase c;
-    fakePredictor predict(c, "timeLimit 1; ");
-    const auto p(predict({withSlope(8)}));
-    EXPECT_NE(p[0].failure.find("longer than 1 s"), std::string::npos)
-        << p[0].failure;
+    const auto within = [&](const std::string& limit)
+    {
+        fakePredictor predict(c, "timeLimit " + limit + "; ");
+        return predict({withSlope(8)})[0];
+    };
+    const prediction p(within("1"));
+    EXPECT_NE(p.failure.find("longer than 1 s"), std::string::npos) << p.failure;
+
+    // The same limit would end it again, a longer one may not
+    EXPECT_FALSE(within("1").ok());
+    EXPECT_EQ(c.count(), 1);
+    EXPECT_TRUE(within("60").ok());
+    EXPECT_EQ(c.count(), 2);
 }
 
 
