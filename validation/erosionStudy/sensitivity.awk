@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What else but the three numbers moves the answers: for each run with one thing
-# varied the difference to the same run without, in %. L as in table.awk.
+# varied the difference to the same run without, in %.
 #
 #   awk -v suffix=-slice -f sensitivity.awk rows...
 
@@ -17,7 +17,6 @@ FNR == 1 {
 {
     order[++n] = $1
     for (i = 1; i <= NF; i++) value[$1, name[i]] = $i
-    value[$1, "L"] = value[$1, "xEnd"]
 }
 
 END {

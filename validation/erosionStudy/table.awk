@@ -3,8 +3,8 @@
 # table that follows from others is computed from them: Fr of Eq 12 and E of
 # Eq 15 from its M, U and h; its own Fr column, which does not agree with Eq 12,
 # and E with it are shown as printed. Differences are in % of the paper's value.
-# L is taken from x = 0 to the end of the scar, see README.md; the eroded length
-# beyond x = 0.6 m is LBeyond.
+# L is the eroded length beyond x = 0.6 m, LFromWall reaches from x = 0 to the end
+# of the scar; both are compared with the paper's L, see README.md.
 #
 #   awk -v suffix=-slice -v states=FILE -f table.awk paper.csv rows...
 #
@@ -22,6 +22,12 @@ BEGIN {
     }
     g = 9.81
     cosSlope = cos(20*atan2(0, -1)/180)
+}
+
+# In % of the paper's value
+function difference(v, wanted)
+{
+    return v == "" ? "" : sprintf("%.1f", 100*(v/wanted - 1))
 }
 
 FNR == 1 {
@@ -52,16 +58,16 @@ isPaper {
     state[run] = "done"
     for (i = 2; i <= NF; i++) ours[run, name[i]] = $i
     ours[run, "E"] *= scale
-    ours[run, "LBeyond"] = ours[run, "L"]
-    ours[run, "L"] = ours[run, "xEnd"]
+    ours[run, "LFromWall"] = ours[run, "xEnd"]
+    ours[run, "LFromWallDifference"] = difference(ours[run, "xEnd"], paper[run, "L"])
 }
 
 END {
     printf "run,state,D,M,V,FrPrinted,EPrinted"
     for (c = 1; c <= nColumns; c++)
         printf ",%s,%sPaper,%sDifference", column[c], column[c], column[c]
-    nMore = split("LBeyond Fc bouncing creeping netStart netEnd peakTime hash " \
-        "code", more, " ")
+    nMore = split("Fc bouncing creeping netStart netEnd peakTime hash code " \
+        "LFromWall LFromWallDifference stationary Ubouncing Ucreeping", more, " ")
     for (i = 1; i <= nMore; i++) printf ",%s", more[i]
     print ""
 
@@ -74,10 +80,9 @@ END {
         for (c = 1; c <= nColumns; c++)
         {
             q = column[c]
-            there = (run, q) in ours
-            printf ",%s,%.4g,%s", there ? sprintf("%.4g", ours[run, q]) : "", \
-                paper[run, q], !there ? "" : \
-                sprintf("%.1f", 100*(ours[run, q]/paper[run, q] - 1))
+            v = (run, q) in ours ? sprintf("%.4g", ours[run, q]) : ""
+            printf ",%s,%.4g,%s", v, paper[run, q], \
+                difference(v == "" ? v : ours[run, q], paper[run, q])
         }
         for (i = 1; i <= nMore; i++) printf ",%s", ours[run, more[i]]
         print ""

@@ -185,7 +185,7 @@ Foam::misfit::gate Foam::misfit::diagnosis::heldOutGate
 }
 
 
-Foam::misfit::hypothesis
+Foam::misfit::diagnosis::winner
 Foam::misfit::diagnosis::winnerWithout(const label segment) const
 {
     const auto rest(fit_->without(segment, width_));
@@ -216,10 +216,10 @@ Foam::misfit::diagnosis::winnerWithout(const label segment) const
          && !contains(w.what, best().what) && !contains(best().what, w.what);
         if (other && told(w.what, names) != here && w.score < own - settings_.gap)
         {
-            return w.what;
+            return {told(w.what, names), w.what.mechanisms};
         }
     }
-    return best().what;
+    return {here, best().what.mechanisms};
 }
 
 
@@ -236,14 +236,13 @@ Foam::misfit::gate Foam::misfit::diagnosis::stabilityGate()
     {
         if (applies)
         {
-            const hypothesis winner(winnerWithout(i));
-            const bool stable =
-                !winner.fault && winner.mechanisms == best().what.mechanisms;
+            const winner w(winnerWithout(i));
+            const bool stable = w.name == told(best().what, mechanismNames());
             ++asked;
             held += stable;
             lost += stable ? "" : " " + channels[i].name;
             labelList both;
-            for (const label m : winner.mechanisms)
+            for (const label m : w.mechanisms)
             {
                 if (stable_.found(m))
                 {
@@ -251,7 +250,7 @@ Foam::misfit::gate Foam::misfit::diagnosis::stabilityGate()
                 }
             }
             stable_ = both;
-            const word name(told(winner, mechanismNames()), false);
+            const word name(w.name, false);
             if (!stable && !winners_.found(name))
             {
                 winners_.append(name);
