@@ -275,6 +275,21 @@ TEST(bedErosion, phasesAreThoseOfAMadeUpErosion)
     EXPECT_NEAR(phases.peakRate, 0.075, 1e-12);
     EXPECT_NEAR(phases.peakTime, 0.3, 1e-12);
     EXPECT_NEAR(phases.netEnd, 0.3 - 0.4*Foam::log(0.05), 0.01);
+
+    // While the bed is still carried away, that has no end
+    const label half = 60;
+    const auto early = [&](const sampleSeries& s)
+    {
+        return sampleSeries
+        (
+            scalarList(SubList<scalar>(s.times(), half)),
+            scalarList(SubList<scalar>(s.values(), half))
+        );
+    };
+    EXPECT_EQ
+    (
+        erosionPhases(early(depth), early(rate), 1e-4, 0.05).netEnd, GREAT
+    );
 }
 
 

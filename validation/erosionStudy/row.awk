@@ -123,6 +123,7 @@ END {
     putLast("bed summary", "netStart netEnd peakTime peakRate")
     begin = last("bed summary", "netStart")
     end = last("bed summary", "netEnd")
+    if (end < 0) end = endTime    # still eroding at the end
     overErosion("bouncing"); overErosion("Ubouncing", "bouncing")
     overErosion("creeping"); overErosion("Ucreeping", "creeping")
     overErosion("stationary")

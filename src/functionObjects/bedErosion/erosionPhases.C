@@ -89,6 +89,9 @@ Foam::erosionPhases::erosionPhases
     {
         peakRate = rate.values()[peak];
         peakTime = rate.times()[peak];
-        netEnd = rate.lastAbove(share*peakRate);
+        if (rate.values().last() <= share*peakRate)
+        {
+            netEnd = rate.lastAbove(share*peakRate);
+        }
     }
 }

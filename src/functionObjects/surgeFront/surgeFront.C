@@ -275,10 +275,15 @@ Foam::functionObjects::surgeFront::period() const
 {
     Tuple2<scalar, scalar> result(GREAT, -GREAT);
 
+    // Until it first leaves: where a head dissolves, its front leaps back
     forAll(position_.times(), i)
     {
         const scalar x = position_.values()[i];
-        if (x >= reach_.first() && x <= reach_.second())
+        if (x > reach_.second())
+        {
+            break;
+        }
+        if (x >= reach_.first())
         {
             result.first() = min(result.first(), position_.times()[i]);
             result.second() = max(result.second(), position_.times()[i]);
