@@ -353,6 +353,11 @@ void Foam::misfit::solverPredictor::tell
         }
     }
     const label left = states.size() - done;
+    if (left && !done)
+    {
+        Info<< "    none is done yet: how long they take is told from the"
+            << " first one on" << nl;
+    }
     if (left && done)
     {
         Info<< "    about " << seconds/done*left/store_.jobs()/60

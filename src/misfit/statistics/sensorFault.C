@@ -168,10 +168,12 @@ Foam::string Foam::misfit::sensorFault::told(const vec& u) const
                 << (u[0] > 0 ? "high" : "low");
             break;
         case kind::zero:
-            os << " has its zero off by " << u[0];
+            os << " reads " << mag(u[0]) << " (in SI units) too "
+                << (u[0] > 0 ? "high" : "low") << " throughout";
             break;
         case kind::drift:
-            os << " drifts by " << u[0] << " over the record";
+            os << " drifts by " << mag(u[0]) << " (in SI units) "
+                << (u[0] > 0 ? "up" : "down") << " over the record";
             break;
         case kind::clock:
             os << "'s clock is " << mag(u[0]) << " s "
