@@ -168,7 +168,8 @@ Foam::string Foam::misfit::sensorFault::told(const vec& u) const
                 << (u[0] > 0 ? "high" : "low");
             break;
         case kind::zero:
-            os << " reads " << mag(u[0]) << " (in SI units) too "
+            os << "'s zero is off: it reads " << mag(u[0])
+                << " (in SI units) too "
                 << (u[0] > 0 ? "high" : "low") << " throughout";
             break;
         case kind::drift:
