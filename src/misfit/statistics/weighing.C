@@ -155,7 +155,11 @@ Foam::misfit::weighing::weighing
     surface_(surface),
     bounds_(bounds),
     covariance_(covariance),
-    tolerance_(tolerance)
+    tolerance_(tolerance),
+    effectiveSize_
+    (
+        max(whitener(covariance.at(surface(bounds.mean))).effectiveSize(), 8.0)
+    )
 {}
 
 
@@ -172,7 +176,7 @@ Foam::misfit::weighed Foam::misfit::weighing::quickly
     w.best = fit(hypothesisModel(surface_, bounds_, h), data_.y, white);
     w.score =
         w.best.objective + white.logDeterminant()
-      + h.size()*std::log(max(white.effectiveSize(), 8.0));
+      + h.size()*std::log(effectiveSize_);
     return w;
 }
 
