@@ -339,6 +339,9 @@ TEST_F(tank, grainsTakenAwayAreErosionAgainstTheStart)
         ASSERT_EQ(line.size(), 14);
         EXPECT_NEAR(line[1], V/2/0.5, 1e-8);
         EXPECT_NEAR(line[13], V/2, 1e-8);
+
+        // What is not there any more has left at the end of the flume
+        EXPECT_NEAR(line[6], 1, 0.02);
     }
 
     // A run that goes on measures against the same start

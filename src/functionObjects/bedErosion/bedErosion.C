@@ -207,9 +207,11 @@ Foam::functionObjects::bedErosion::carried(const bedGrains& bed) const
     const planGrid grid(box(), planWidth_);
     strips number(box().min().x(), box().max().x(), stripWidth_);
     scalar farthest = box().min().x();
+    scalar volume = 0;
 
     forAll(bed.d, i)
     {
+        volume += constant::mathematical::pi*pow3(bed.d[i])/6;
         const vector& c = bed.centre[i];
         const scalar top = reference_.highest[grid.find(c.x(), c.y())];
 
@@ -221,6 +223,16 @@ Foam::functionObjects::bedErosion::carried(const bedGrains& bed) const
     }
 
     number.reduce();
+    reduce(volume, sumOp<scalar>());
+
+    // Those that left are as far as the flume goes
+    const scalar left =
+        (sum(reference_.volume) - volume)
+       /(constant::mathematical::pi*pow3(reference_.d)/6);
+    if (left > 0.5)
+    {
+        number.values().last() += left;
+    }
 
     return Tuple2<strips, scalar>
     (
