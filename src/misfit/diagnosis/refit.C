@@ -108,35 +108,32 @@ void Foam::misfit::diagnosis::refit()
 }
 
 
-bool Foam::misfit::diagnosis::isComputed(const weighed& w) const
+const Foam::misfit::diagnosis::computed*
+Foam::misfit::diagnosis::findComputed(const weighed& w) const
 {
     const string name(told(w.what, mechanismNames()));
     for (const computed& c : computed_)
     {
         if (c.explanation == name)
         {
-            return true;
+            return &c;
         }
     }
-    return false;
+    return nullptr;
 }
 
 
 Foam::misfit::diagnosis::computed
 Foam::misfit::diagnosis::lookUp(const weighed& w) const
 {
-    const string name(told(w.what, mechanismNames()));
-    for (const computed& c : computed_)
+    if (const computed* found = findComputed(w))
     {
-        if (c.explanation == name)
-        {
-            return c;
-        }
+        return *found;
     }
 
     const hypothesisModel model(fit_->surface(), bounds_, w.what);
     computed c;
-    c.explanation = name;
+    c.explanation = told(w.what, mechanismNames());
     c.variables = model.expand(w.best.x);
     c.given.fit = w.best.f;
     if (gate_->size())

@@ -92,7 +92,7 @@ void Foam::misfit::diagnosis::prefer()
     }
 
     // Held-out data are judged by the solver, not by the surface
-    if (found_.detection.p < settings_.significance && !isComputed(best()))
+    if (found_.detection.p < settings_.significance && !findComputed(best()))
     {
         found_.explanations[0] = refitted(best());
     }
