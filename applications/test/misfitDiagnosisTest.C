@@ -32,6 +32,9 @@ class worldSampler
     label crashing_ = -1;
     word failing_;
 
+    //- The second mechanism acts as the first one does
+    bool twins_ = false;
+
 
     stacked gate() const
     {
@@ -51,6 +54,12 @@ class worldSampler
         {
             x[world::nParameters + m] =
                 s.strengths.lookup(world::mechanism(m), 0);
+        }
+        if (twins_)
+        {
+            scalar& second = x[world::nParameters + 1];
+            x[world::nParameters] += second;
+            second = 0;
         }
         return x;
     }
@@ -109,6 +118,11 @@ public:
     void crashWith(const label mechanism)
     {
         crashing_ = mechanism;
+    }
+
+    void makeTwins()
+    {
+        twins_ = true;
     }
 
     void failIn(const word& experiment)
@@ -330,6 +344,33 @@ TEST(misfitDiagnosis, anExperimentInWhichTheSolverFailsConfirmsNothing)
     const finding f(diagnose(s));
     show(f);
     EXPECT_EQ(f.verdict, "unknown");
+}
+
+
+TEST(misfitDiagnosis, whatTheseChannelsCannotTellApartIsASet)
+{
+    worldSampler s(truth(0, 0.7), 200, vec());
+    s.makeTwins();
+    const finding f(diagnose(s));
+    show(f);
+    EXPECT_EQ(f.verdict, "set");
+    EXPECT_EQ(f.names.size(), 2);
+    EXPECT_TRUE(f.names.found(world::mechanism(0)));
+    EXPECT_TRUE(f.names.found(world::mechanism(1)));
+}
+
+
+TEST(misfitDiagnosis, twoMechanismsAtOnceAreBothNamed)
+{
+    vec both = truth(0, 0.9);
+    both[world::nParameters + 2] = 0.9;
+    worldSampler s(both, 200, vec());
+    const finding f(diagnose(s));
+    show(f);
+    EXPECT_EQ(f.verdict, "named");
+    EXPECT_EQ(f.names.size(), 2);
+    EXPECT_TRUE(f.names.found(world::mechanism(0)));
+    EXPECT_TRUE(f.names.found(world::mechanism(2)));
 }
 
 

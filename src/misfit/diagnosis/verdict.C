@@ -36,6 +36,26 @@ List<label> common(const List<weighed>& list)
 }
 
 
+//- Without those that add to another
+List<weighed> simplest(const List<weighed>& list)
+{
+    List<weighed> kept;
+    for (const weighed& w : list)
+    {
+        bool adds = false;
+        for (const weighed& other : list)
+        {
+            adds = adds || w.what.extends(other.what);
+        }
+        if (!adds)
+        {
+            kept.append(w);
+        }
+    }
+    return kept;
+}
+
+
 //- Words in a row: "a, b or c"
 string inWords(const wordList& list, const string& last)
 {
@@ -138,6 +158,8 @@ void Foam::misfit::diagnosis::judge(List<weighed>& near)
         found_.verdict = "named";
         return;
     }
+    // One that adds to another of the set says nothing more
+    near = simplest(near);
     found_.verdict = "set";
     for (const weighed& w : near)
     {

@@ -4,6 +4,22 @@
 
 #include "hypothesis.H"
 
+bool Foam::misfit::hypothesis::extends(const hypothesis& other) const
+{
+    for (const label m : other.mechanisms)
+    {
+        if (!mechanisms.found(m))
+        {
+            return false;
+        }
+    }
+    return
+        (!other.fault || other.fault == fault)
+     && (unknown || !other.unknown)
+     && size() > other.size();
+}
+
+
 Foam::misfit::hypothesisModel::hypothesisModel
 (
     const responseSurface& surface,
