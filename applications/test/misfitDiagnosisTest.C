@@ -120,6 +120,13 @@ public:
         crashing_ = mechanism;
     }
 
+    //- The first channel of A is in another unit than it says
+    void mislabel(const scalar factor)
+    {
+        stacked& fit = data_[0].fit;
+        fit.segments[0].of(fit.y) *= factor;
+    }
+
     void makeTwins()
     {
         twins_ = true;
@@ -401,6 +408,21 @@ TEST(misfitDiagnosis, aFaultySensorIsBlamedAndNotPhysics)
     EXPECT_EQ(f.verdict, "sensor");
     EXPECT_EQ(f.names, wordList({"P1"}));
     EXPECT_NE(f.told.find("zero"), std::string::npos) << f.told;
+}
+
+
+TEST(misfitDiagnosis, aChannelInALargerOrSmallerUnitIsFound)
+{
+    for (const scalar factor : {1e-3, 1e3})
+    {
+        worldSampler s(truth(-1, 0), 300, vec());
+        s.mislabel(factor);
+        const finding f(diagnose(s));
+        show(f);
+        EXPECT_EQ(f.verdict, "registration") << factor;
+        EXPECT_EQ(f.names, wordList({"P1"}));
+        EXPECT_NE(f.told.find("unit"), std::string::npos) << f.told;
+    }
 }
 
 

@@ -3,6 +3,11 @@
 
 #include "placesInMesh.H"
 
+#include "FlatOutput.H"
+#include "polyMesh.H"
+#include "StringStream.H"
+#include "wordReList.H"
+
 namespace Foam
 {
 namespace misfit
@@ -28,6 +33,65 @@ static bool isInside(const polyMesh& mesh, const point& p)
     return false;
 }
 
+//- Its shortest way to a face of these patches, over the size of that face
+static scalar facesAway
+(
+    const polyMesh& mesh,
+    const point& p,
+    const labelHashSet& patches
+)
+{
+    const pointField& points = mesh.points();
+    scalar least = GREAT;
+    for (const label patch : patches)
+    {
+        for (const face& f : mesh.boundaryMesh()[patch])
+        {
+            const scalar distance = f.nearestPoint(p, points).distance();
+            least = min(least, distance/sqrt(f.mag(points)));
+        }
+    }
+    return least;
+}
+
+
+//- What is wrong with a place; empty: nothing
+static string fault
+(
+    const polyMesh& mesh,
+    const observer& o,
+    const point& p
+)
+{
+    OStringStream os;
+    if (o.patches().empty())
+    {
+        if (!isInside(mesh, p))
+        {
+            os << "is outside the mesh, whose bounds are " << mesh.bounds();
+        }
+        return os.str();
+    }
+    wordReList names;
+    for (const word& name : o.patches())
+    {
+        names.append(wordRe(name, wordRe::DETECT));
+    }
+    const labelHashSet on(mesh.boundaryMesh().patchSet(names, false));
+    if (on.empty())
+    {
+        os << "is said to be on " << flatOutput(o.patches())
+            << ", but the mesh has the patches "
+            << flatOutput(mesh.boundaryMesh().names());
+    }
+    else if (facesAway(mesh, p, on) > 0.5)
+    {
+        os << "is farther than half a cell from its patch "
+            << flatOutput(o.patches());
+    }
+    return os.str();
+}
+
 } // End namespace misfit
 } // End namespace Foam
 
@@ -38,24 +102,25 @@ void Foam::misfit::checkPlaces
     const UPtrList<observer>& observers
 )
 {
-    OStringStream outside;
+    OStringStream wrong;
     for (const observer& o : observers)
     {
         for (const point& p : o.places())
         {
-            if (!isInside(mesh, p))
+            const string said(fault(mesh, o, p));
+            if (said.size())
             {
-                outside << "\n    " << o.of().name() << " at " << p;
+                wrong << "\n    " << o.of().name() << " at " << p << ' '
+                    << said.c_str();
                 break;
             }
         }
     }
-    if (!outside.str().empty())
+    if (!wrong.str().empty())
     {
         FatalErrorInFunction
-            << "These channels are outside the mesh, whose bounds are "
-            << mesh.bounds() << ':' << outside.str().c_str() << nl
-            << "    Mend their places in system/misfitDict: metres, in the"
+            << "Places of channels do not fit the mesh:" << wrong.str().c_str()
+            << nl << "    Mend them in system/misfitDict: metres, in the"
             << " coordinates of the mesh" << exit(FatalError);
     }
 }

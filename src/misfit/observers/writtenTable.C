@@ -35,7 +35,8 @@ List<std::pair<scalar, fileName>> timeFolders(const fileName& folder)
     {
         FatalErrorInFunction
             << "The run wrote nothing in " << folder
-            << ". Is the function object in its system/controlDict?"
+            << ". Is the function object in its system/controlDict? For a"
+            << " probe or a level: has the solver a field of that name?"
             << exit(FatalError);
     }
     return found;

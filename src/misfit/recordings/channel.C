@@ -326,6 +326,22 @@ void Foam::misfit::channel::lookAtNoise(const bool memoryGiven)
 }
 
 
+void Foam::misfit::channel::doubtUncertainty() const
+{
+    const scalarList& y = recorded_.y;
+    const scalar range =
+        *std::max_element(y.cbegin(), y.cend())
+      - *std::min_element(y.cbegin(), y.cend());
+    if (y.size() > 1 && uncertainty_ > range)
+    {
+        WarningInFunction
+            << "The uncertainty of the channel " << name_ << ", "
+            << uncertainty_ << ", is larger than the range of its recording, "
+            << range << ", so it can say nothing. Is it in SI units?" << endl;
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::misfit::channel::channel
@@ -391,6 +407,7 @@ Foam::misfit::channel::channel
         cut(dict);
         divide(samples);
         lookAtNoise(dict.found("memory"));
+        doubtUncertainty();
     }
 }
 

@@ -102,6 +102,25 @@ std::string channels(const heldOut& h)
 }
 
 
+//- What the finding does to the misfit of held-out data
+std::string gone(const heldOut& h)
+{
+    // A mean square of 1 is chance
+    if (h.squareBefore < 1.5)
+    {
+        return
+            h.squareAfter < 1.5
+          ? "there was no misfit beyond chance: it neither confirms nor denies"
+          : "a misfit comes that was not there";
+    }
+    const scalar share =
+        (h.squareBefore - h.squareAfter)/(h.squareBefore - 1);
+    return
+        share > 0 ? percent(min(share, 1.0)) + " of the misfit is gone"
+      : "the misfit does not get smaller";
+}
+
+
 std::string verdict(const finding& f)
 {
     std::string text
@@ -114,14 +133,12 @@ std::string verdict(const finding& f)
         const bool faultIsShown =
             (f.verdict == "sensor" || f.verdict == "registration")
          && h.squareAfter < h.squareBefore;
-        if ((f.strengths.size() || faultIsShown) && h.squareBefore > 1)
+        if (f.strengths.size() || faultIsShown)
         {
-            const scalar removed =
-                (h.squareBefore - h.squareAfter)/(h.squareBefore - 1);
             text +=
-                "<br>At " + escaped(h.what + " (" + channels(h) + ")") + ", not used to find it, "
-              + percent(min(removed, 1.0)) + " of the misfit is gone"
-                " (mean square over what is uncertain: from "
+                "<br>At " + escaped(h.what + " (" + channels(h) + ")")
+              + ", not used to find it, " + gone(h)
+              + " (mean square over what is uncertain: from "
               + shortNumber(h.squareBefore) + " to "
               + shortNumber(h.squareAfter) + ").";
         }
@@ -153,14 +170,20 @@ std::string where(const finding& f)
 std::string calibration(const finding& f)
 {
     std::vector<row> rows;
-    for (const calibrated& p : f.parameters)
+    const bool changed = f.strengths.size() || !f.names.empty();
+    const fitted& with = f.explanations.first().best;
+    forAll(f.parameters, i)
     {
+        const calibrated& p = f.parameters[i];
         rows.push_back
         ({
             p.name,
             shortNumber(p.before) + " +- " + shortNumber(p.prior),
             shortNumber(p.value) + " +- " + shortNumber(p.deviation),
-            p.pinned ? "at its bound: the base model strains" : ""
+            p.pinned ? "at its bound: the base model strains" : "",
+            changed
+          ? shortNumber(with.x[i]) + " +- " + shortNumber(with.deviation(i))
+          : ""
         });
     }
     return
@@ -169,7 +192,14 @@ std::string calibration(const finding& f)
       + shortNumber(f.raw.p) + " before and is " + shortNumber(f.detection.p)
       + " after.</p>\n"
       + (rows.empty() ? std::string("<p>It has no such parameter.</p>\n")
-          : table({"parameter", "expected", "fitted", ""}, rows));
+          : table
+            (
+                {
+                    "parameter", "expected", "fitted by itself", "",
+                    "fitted with what was found"
+                },
+                rows
+            ));
 }
 
 
@@ -245,7 +275,9 @@ std::string apart(const finding& f)
         "<h2>What these channels can tell apart</h2>\n<p>Effect of each"
         " mechanism at full strength that the one of the column, at whatever"
         " strength, cannot imitate, in standard deviations. On the diagonal the"
-        " whole effect. Below 3: not to be told apart. A mechanism that does the opposite imitates nothing.</p>\n"
+        " whole effect. Below 3: not to be told apart. A diagonal"
+        " below 1: these channels do not see it, or the solver does not read"
+        " what it changes. A mechanism that does the opposite imitates nothing.</p>\n"
       + table(head, rows);
 }
 

@@ -62,8 +62,10 @@ json gates(const finding& f)
 json parameters(const finding& f)
 {
     json all = json::array();
-    for (const calibrated& p : f.parameters)
+    const fitted& with = f.explanations.first().best;
+    forAll(f.parameters, i)
     {
+        const calibrated& p = f.parameters[i];
         all.push_back
         ({
             {"name", p.name},
@@ -73,8 +75,36 @@ json parameters(const finding& f)
             {"deviation", p.deviation},
             {"atBound", p.pinned}
         });
+        if (f.names.size())
+        {
+            all.back()["valueWithFinding"] = with.x[i];
+            all.back()["deviationWithFinding"] = with.deviation(i);
+        }
     }
     return all;
+}
+
+
+//- The fault that is given as the answer, with its size in SI units
+json fault(const finding& f)
+{
+    const hypothesis& what = f.explanations.first().what;
+    if ((f.verdict != "sensor" && f.verdict != "registration") || !what.fault)
+    {
+        return nullptr;
+    }
+    json values = json::array();
+    const vec& x = f.explanations.first().best.x;
+    for (label i = x.size() - what.fault->size(); i < x.size(); ++i)
+    {
+        values.push_back(x[i]);
+    }
+    return
+    {
+        {"channel", what.fault->channel()},
+        {"kind", sensorFault::names[what.fault->type()]},
+        {"values", values}
+    };
 }
 
 
@@ -253,6 +283,7 @@ std::string Foam::misfit::verdictJson(const finding& f, const string& title)
         {"words", f.told},
         {"confidence", f.confidence},
         {"strengths", strengths(f)},
+        {"fault", fault(f)},
         {"detection", {{"pRaw", f.raw.p}, {"p", f.detection.p}}},
         {"located", located(f)},
         {"calibration", parameters(f)},

@@ -288,7 +288,7 @@ Foam::misfit::solverPredictor::solverPredictor
 
     const dictionary finer
     (
-        keywords::sub(dict, "resolution", wordList({"mesh", "step"}))
+        keywords::sub(dict, "resolution", wordList({"mesh", "schemes", "step"}))
     );
     for (const word& name : finer.toc())
     {

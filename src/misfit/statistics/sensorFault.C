@@ -169,11 +169,11 @@ Foam::string Foam::misfit::sensorFault::told(const vec& u) const
             break;
         case kind::zero:
             os << "'s zero is off: it reads " << mag(u[0])
-                << " (in SI units) too "
+                << " SI units too "
                 << (u[0] > 0 ? "high" : "low") << " throughout";
             break;
         case kind::drift:
-            os << " drifts by " << mag(u[0]) << " (in SI units) "
+            os << " drifts by " << mag(u[0]) << " SI units "
                 << (u[0] > 0 ? "up" : "down") << " over the record";
             break;
         case kind::clock:
@@ -199,6 +199,17 @@ Foam::string Foam::misfit::sensorFault::told(const vec& u) const
             break;
     }
     return os.str();
+}
+
+
+Foam::misfit::vec Foam::misfit::sensorFault::noiseScales() const
+{
+    vec scales = vec::Ones(data_->size());
+    if (kind_ == kind::units)
+    {
+        at().of(scales).setConstant(max(mag(factor_), 1.0));
+    }
+    return scales;
 }
 
 

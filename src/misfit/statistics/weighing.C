@@ -50,6 +50,24 @@ void sortByScore(List<weighed>& list)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::misfit::mat Foam::misfit::weighing::ownCovariance
+(
+    const hypothesis& h,
+    const vec& f
+) const
+{
+    if (!h.fault)
+    {
+        return covariance_.at(f);
+    }
+    const vec scales = h.fault->noiseScales();
+    return
+        scales.asDiagonal()
+       *covariance_.at(f.cwiseQuotient(scales))
+       *scales.asDiagonal();
+}
+
+
 Foam::misfit::mat
 Foam::misfit::weighing::otherFormula(const weighed& w) const
 {
@@ -203,7 +221,7 @@ Foam::misfit::weighing::thoroughly(const weighed& quick) const
     {
         for (label pass = 0; pass < 2; ++pass)
         {
-            const mat c = covariance_.at(w.best.f) + otherFormula(w);
+            const mat c = ownCovariance(w.what, w.best.f) + otherFormula(w);
             w = quickly(quick.what, whitener(c));
             w.covariance = c;
         }
@@ -242,7 +260,20 @@ Foam::List<Foam::misfit::weighed> Foam::misfit::weighing::all
     {
         hypothesis h;
         h.fault = std::make_shared<const sensorFault>(f);
-        list.append(quickly(h, white));
+        const vec scales = f.noiseScales();
+        list.append
+        (
+            (scales.array() == 1).all()
+          ? quickly(h, white)
+          : quickly
+            (
+                h,
+                whitener
+                (
+                    scales.asDiagonal()*none.covariance*scales.asDiagonal()
+                )
+            )
+        );
     }
     list.append(weighUnknown(none));
     addNumbers(list);
