@@ -158,6 +158,7 @@ void Foam::misfit::diagnosis::judge(List<weighed>& near)
         found_.verdict = "named";
         return;
     }
+
     // One that adds to another of the set says nothing more
     near = simplest(near);
     found_.verdict = "set";
@@ -186,6 +187,22 @@ void Foam::misfit::diagnosis::weaken()
 }
 
 
+bool Foam::misfit::diagnosis::answers() const
+{
+    return
+        passed("adequacy") && passed("heldOut") && passed("transfer")
+     && passed("placebo");
+}
+
+
+bool Foam::misfit::diagnosis::isUnproved() const
+{
+    return
+        found_.verdict == "unknown" && answers()
+     && !best().what.isOnlyUnknown();
+}
+
+
 void Foam::misfit::diagnosis::decide()
 {
     setProbabilities(found_.explanations, settings_.temperature);
@@ -197,13 +214,7 @@ void Foam::misfit::diagnosis::decide()
     {
         near = rivals();
         judge(near);
-        const bool answers =
-            passed("adequacy") && passed("heldOut") && passed("transfer")
-         && passed("placebo");
-        unproved_ =
-            answers && found_.verdict == "unknown"
-         && !best().what.isOnlyUnknown();
-        if (!answers)
+        if (!answers())
         {
             found_.verdict = "unknown";
         }
@@ -289,9 +300,10 @@ void Foam::misfit::diagnosis::confide()
     {
         sum = max(sum, 1 - settings_.significance);
     }
+
     // 25 of 27 such verdicts were right where the solver made the recordings,
     // 30 of 62 from the bank (validation/concealed)
-    if (found_.verdict == "unknown" && !unproved_)
+    if (found_.verdict == "unknown" && !isUnproved())
     {
         sum = max(sum, 0.7);
     }
@@ -311,7 +323,7 @@ void Foam::misfit::diagnosis::describe()
           : "Recording and calibrated simulation agree within what is"
             " uncertain.");
     }
-    else if (v == "unknown" && unproved_)
+    else if (isUnproved())
     {
         os << told(best().what, mechanismNames()).c_str() << " explains it best,"
             " but leads something that is not in the library by too little to"

@@ -6,52 +6,42 @@
 #include "FlatOutput.H"
 #include "polyMesh.H"
 #include "StringStream.H"
-#include "wordReList.H"
 
 namespace Foam
 {
 namespace misfit
 {
 
-//- True in a cell, or nearer to a boundary face than its size
-static bool isInside(const polyMesh& mesh, const point& p)
+//- Nearer to a face of these patches than half the size of that face
+static bool isAt
+(
+    const polyMesh& mesh,
+    const point& p,
+    const labelUList& patches
+)
 {
-    if (mesh.findCell(p) != -1)
-    {
-        return true;
-    }
     const pointField& points = mesh.points();
-    for (label i = mesh.nInternalFaces(); i < mesh.nFaces(); ++i)
+    for (const label patch : patches)
     {
-        const face& f = mesh.faces()[i];
-        const pointHit hit = f.nearestPoint(p, points);
-        if (sqr(hit.distance()) < 0.25*f.mag(points))
+        for (const face& f : mesh.boundaryMesh()[patch])
         {
-            return true;
+            const pointHit hit = f.nearestPoint(p, points);
+            if (sqr(hit.distance()) < 0.25*f.mag(points))
+            {
+                return true;
+            }
         }
     }
     return false;
 }
 
-//- Its shortest way to a face of these patches, over the size of that face
-static scalar facesAway
-(
-    const polyMesh& mesh,
-    const point& p,
-    const labelHashSet& patches
-)
+
+//- In a cell, or at a boundary
+static bool isInside(const polyMesh& mesh, const point& p)
 {
-    const pointField& points = mesh.points();
-    scalar least = GREAT;
-    for (const label patch : patches)
-    {
-        for (const face& f : mesh.boundaryMesh()[patch])
-        {
-            const scalar distance = f.nearestPoint(p, points).distance();
-            least = min(least, distance/sqrt(f.mag(points)));
-        }
-    }
-    return least;
+    return
+        mesh.findCell(p) != -1
+     || isAt(mesh, p, identity(mesh.boundaryMesh().size()));
 }
 
 
@@ -72,22 +62,17 @@ static string fault
         }
         return os.str();
     }
-    wordReList names;
-    for (const word& name : o.patches())
-    {
-        names.append(wordRe(name, wordRe::DETECT));
-    }
-    const labelHashSet on(mesh.boundaryMesh().patchSet(names, false));
+    const word name(o.patches().first());
+    const labelList on(mesh.boundaryMesh().indices(name));
     if (on.empty())
     {
-        os << "is said to be on " << flatOutput(o.patches())
+        os << "is said to be on " << name
             << ", but the mesh has the patches "
             << flatOutput(mesh.boundaryMesh().names());
     }
-    else if (facesAway(mesh, p, on) > 0.5)
+    else if (!isAt(mesh, p, on))
     {
-        os << "is farther than half a cell from its patch "
-            << flatOutput(o.patches());
+        os << "is farther than half a cell from its patch " << name;
     }
     return os.str();
 }

@@ -66,6 +66,14 @@ const Foam::misfit::unit& checkedUnit
     return *found;
 }
 
+
+Foam::scalar rangeOf(const Foam::scalarList& y)
+{
+    return
+        *std::max_element(y.cbegin(), y.cend())
+      - *std::min_element(y.cbegin(), y.cend());
+}
+
 } // End anonymous namespace
 
 
@@ -286,9 +294,7 @@ void Foam::misfit::channel::lookAtNoise(const bool memoryGiven)
 {
     const scalarList& x = recorded_.x;
     const scalarList& y = recorded_.y;
-    const scalar range =
-        *std::max_element(y.cbegin(), y.cend())
-      - *std::min_element(y.cbegin(), y.cend());
+    const scalar range = rangeOf(y);
 
     // Quiet: until it first leaves a band of 5 % of the range
     label quiet = 0;
@@ -329,9 +335,7 @@ void Foam::misfit::channel::lookAtNoise(const bool memoryGiven)
 void Foam::misfit::channel::doubtUncertainty() const
 {
     const scalarList& y = recorded_.y;
-    const scalar range =
-        *std::max_element(y.cbegin(), y.cend())
-      - *std::min_element(y.cbegin(), y.cend());
+    const scalar range = rangeOf(y);
     if (y.size() > 1 && uncertainty_ > range)
     {
         WarningInFunction

@@ -113,10 +113,9 @@ std::string gone(const heldOut& h)
           ? "there was no misfit beyond chance: it neither confirms nor denies"
           : "a misfit comes that was not there";
     }
-    const scalar share =
-        (h.squareBefore - h.squareAfter)/(h.squareBefore - 1);
+    const scalar share = removed(h);
     return
-        share > 0 ? percent(min(share, 1.0)) + " of the misfit is gone"
+        share > 0 ? percent(share) + " of the misfit is gone"
       : "the misfit does not get smaller";
 }
 
@@ -170,7 +169,7 @@ std::string where(const finding& f)
 std::string calibration(const finding& f)
 {
     std::vector<row> rows;
-    const bool changed = f.strengths.size() || !f.names.empty();
+    const bool changed = f.names.size();
     const fitted& with = f.explanations.first().best;
     forAll(f.parameters, i)
     {

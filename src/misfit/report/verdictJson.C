@@ -93,17 +93,12 @@ json fault(const finding& f)
     {
         return nullptr;
     }
-    json values = json::array();
     const vec& x = f.explanations.first().best.x;
-    for (label i = x.size() - what.fault->size(); i < x.size(); ++i)
-    {
-        values.push_back(x[i]);
-    }
     return
     {
         {"channel", what.fault->channel()},
         {"kind", sensorFault::names[what.fault->type()]},
-        {"values", values}
+        {"values", numbers(x.tail(what.fault->size()))}
     };
 }
 

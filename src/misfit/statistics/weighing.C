@@ -45,6 +45,13 @@ void sortByScore(List<weighed>& list)
     );
 }
 
+
+//- The covariance in the unit of the recording, if that is a larger one
+mat inItsUnit(const mat& covariance, const vec& noiseScales)
+{
+    return noiseScales.asDiagonal()*covariance*noiseScales.asDiagonal();
+}
+
 } // End anonymous namespace
 
 
@@ -61,10 +68,7 @@ Foam::misfit::mat Foam::misfit::weighing::ownCovariance
         return covariance_.at(f);
     }
     const vec scales = h.fault->noiseScales();
-    return
-        scales.asDiagonal()
-       *covariance_.at(f.cwiseQuotient(scales))
-       *scales.asDiagonal();
+    return inItsUnit(covariance_.at(f.cwiseQuotient(scales)), scales);
 }
 
 
@@ -265,14 +269,7 @@ Foam::List<Foam::misfit::weighed> Foam::misfit::weighing::all
         (
             (scales.array() == 1).all()
           ? quickly(h, white)
-          : quickly
-            (
-                h,
-                whitener
-                (
-                    scales.asDiagonal()*none.covariance*scales.asDiagonal()
-                )
-            )
+          : quickly(h, whitener(inItsUnit(none.covariance, scales)))
         );
     }
     list.append(weighUnknown(none));
