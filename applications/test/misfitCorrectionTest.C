@@ -2,13 +2,12 @@
 // The free correction as entries of a case, and what is read back.
 
 #include "correction.H"
+#include "temporaryFolder.H"
 
 #include "IStringStream.H"
-#include "OSspecific.H"
 #include "dictionary.H"
 #include "IFstream.H"
 
-#include <cstdlib>
 #include <fstream>
 #include <gtest/gtest.h>
 
@@ -27,21 +26,16 @@ dictionary entries(const string& text)
 //- A case with a drag law and nothing else
 struct emptyCase
 {
-    fileName folder;
+    const temporaryFolder scratch;
+
+    const fileName folder = scratch;
 
     emptyCase()
     {
-        std::string name("/tmp/misfitCorrection.XXXXXX");
-        folder = ::mkdtemp(&name[0]);
         mkDir(folder/"constant");
         mkDir(folder/"system");
         std::ofstream(folder/"constant/granularProperties")
             << "interphaseForces { drag { model Gidaspow; } }\n";
-    }
-
-    ~emptyCase()
-    {
-        rmDir(folder);
     }
 
     dictionary read(const fileName& file) const

@@ -3,15 +3,14 @@
 // message where something is wrong with them.
 
 #include "recordings.H"
+#include "temporaryFolder.H"
 #include "units.H"
 
 #include "IStringStream.H"
-#include "OSspecific.H"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 
 using namespace Foam;
@@ -23,26 +22,15 @@ namespace
 //- A folder with files that is there while a test runs
 class files
 {
-    std::string folder_ = "/tmp/misfitRecordings.XXXXXX";
+    const temporaryFolder scratch_;
+
+    const fileName folder_ = scratch_;
 
 public:
 
-    files()
-    {
-        if (!::mkdtemp(&folder_[0]))
-        {
-            ADD_FAILURE() << "no temporary folder";
-        }
-    }
-
-    ~files()
-    {
-        rmDir(folder_);
-    }
-
     void write(const std::string& name, const std::string& text) const
     {
-        std::ofstream(folder_ + '/' + name) << text;
+        std::ofstream(folder_/name) << text;
     }
 
     fileName folder() const

@@ -4,13 +4,12 @@
 
 #include "report.H"
 #include "misfitWorld.H"
+#include "temporaryFolder.H"
 
-#include "OSspecific.H"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <cstdlib>
 #include <fstream>
 
 using namespace Foam;
@@ -72,11 +71,11 @@ TEST(misfitReport, theRecordIsReadableByPrograms)
 
 TEST(misfitReport, oneFileHoldsWordsAndPictures)
 {
-    std::string folder("/tmp/misfitReport.XXXXXX");
-    ASSERT_TRUE(::mkdtemp(&folder[0]));
+    const temporaryFolder scratch;
+    const fileName folder(scratch);
     writeReport(found(), folder, "a case");
 
-    std::ifstream is(folder + "/report.html");
+    std::ifstream is(folder/"report.html");
     const std::string html
     (
         (std::istreambuf_iterator<char>(is)), std::istreambuf_iterator<char>()
@@ -94,7 +93,6 @@ TEST(misfitReport, oneFileHoldsWordsAndPictures)
     }
     EXPECT_EQ(pictures, 3);
     EXPECT_NE(html.find("100 % of the misfit is gone"), std::string::npos);
-    EXPECT_TRUE(isFile(folder + "/verdict.json"));
-    EXPECT_FALSE(isFile(folder + "/verdict.json.new"));
-    rmDir(folder);
+    EXPECT_TRUE(isFile(folder/"verdict.json"));
+    EXPECT_FALSE(isFile(folder/"verdict.json.new"));
 }

@@ -4,6 +4,7 @@
 // the solver.
 
 #include "solverPredictor.H"
+#include "temporaryFolder.H"
 #include "testMesh.H"
 #include "placesInMesh.H"
 
@@ -13,7 +14,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -37,19 +37,17 @@ std::string content(const fileName& file)
 //  runs in a file beside the case
 class fakeCase
 {
-    std::string folder_ = "/tmp/misfitRuns.XXXXXX";
+    const temporaryFolder scratch_;
+
+    const fileName folder_ = scratch_;
 
 public:
 
     fakeCase()
     {
-        if (!::mkdtemp(&folder_[0]))
-        {
-            ADD_FAILURE() << "no temporary folder";
-        }
         for (const char* part : {"0.orig", "constant", "system"})
         {
-            mkDir(folder_ + '/' + part);
+            mkDir(folder_/part);
         }
         write("0.orig/U", "uniform");
         write("system/controlDict", "#include \"more\"\nendTime 2;\n");
@@ -72,14 +70,9 @@ public:
         write("r.csv", "t_s,y_m\n0,0\n1,2\n2,4\n");
     }
 
-    ~fakeCase()
-    {
-        rmDir(folder_);
-    }
-
     void write(const std::string& name, const std::string& text) const
     {
-        std::ofstream(folder_ + '/' + name) << text;
+        std::ofstream(folder_/name) << text;
     }
 
     fileName folder() const
@@ -90,7 +83,7 @@ public:
     //- Number of runs that were begun
     label count() const
     {
-        const std::string lines(content(folder_ + "/count"));
+        const std::string lines(content(folder_/"count"));
         return std::count(lines.begin(), lines.end(), '\n');
     }
 
@@ -310,6 +303,7 @@ TEST(misfitRuns, aRunThatEndsTooEarlyIsNoPrediction)
 {
     const fakeCase c;
     c.write("r.csv", "t_s,y_m\n0,0\n1,2\n2,4\n3,6\n");
+    c.write("system/controlDict", "endTime 3;\n");
     fakePredictor predict(c);
     EXPECT_NE
     (
@@ -358,6 +352,54 @@ TEST(misfitRuns, aNumberAloneIsTheLastLineOfItsTable)
     const series s(observer::New(recorded)->read(c.folder()));
     EXPECT_NEAR(recorded.sampled(s)[0], 7, 1e-12);
     EXPECT_NEAR(recorded.sampled()[0], 0.003, 1e-12);
+}
+
+
+TEST(misfitRuns, whatAnyRunCannotHaveIsToldBeforeTheFirst)
+{
+    const fakeCase c;
+    const auto said = [&c](const std::string& old, const std::string& wrong)
+    {
+        OStringStream os;
+        c.dict().write(os, false);
+        std::string text(os.str());
+        text.replace(text.find(old), old.size(), wrong);
+        IStringStream is(text);
+        const dictionary dict(is);
+        const recordings r(dict, c.folder());
+        return refusal([&](){ solverPredictor(r, c.folder(), dict); });
+    };
+    const fileName runs(c.folder()/"misfit"/"runs");
+
+    // In the file that a person mends, not in a copy
+    const std::string told(said("a/lift/model", "a/lift/modle"));
+    EXPECT_NE(told.find(c.folder()/"constant/model"), std::string::npos) << told;
+    EXPECT_NE(told.find("no entry a/lift/modle"), std::string::npos) << told;
+    EXPECT_TRUE(readDir(runs, fileName::DIRECTORY).empty());
+
+    EXPECT_NE
+    (
+        said("\"true\"", "\"noSuchMesher\"").find("no program noSuchMesher"),
+        std::string::npos
+    );
+
+    c.write("system/controlDict", "#include \"more\"\nendTime 1.5;\n");
+    const std::string early(said("LunLiu", "LunLiu"));
+    EXPECT_NE(early.find("is 1.5 s"), std::string::npos) << early;
+    EXPECT_NE(early.find("run longer"), std::string::npos) << early;
+    EXPECT_EQ(c.count(), 0);
+    EXPECT_TRUE(readDir(runs, fileName::DIRECTORY).empty());
+}
+
+
+TEST(misfitRuns, aRehearsalLeavesTheCaseAsItIs)
+{
+    const fakeCase c;
+    const fileName model(c.folder()/"constant/model");
+    const fileName script(c.folder()/"constant/script");
+    const std::string before(content(model) + content(script));
+    const fakePredictor predict(c);
+    EXPECT_EQ(content(model) + content(script), before);
 }
 
 

@@ -7,14 +7,13 @@
 #include "overlapRelaxation.H"
 #include "packingCache.H"
 #include "settledPacking.H"
+#include "temporaryFolder.H"
 
 #include "IStringStream.H"
-#include "OSspecific.H"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 
 using namespace Foam;
@@ -40,33 +39,6 @@ autoPtr<packingModel> model(const std::string& entries, const vector& g = down)
     IStringStream is(entries + " density 2650;");
     return packingModel::New(dictionary(is), g);
 }
-
-
-//- A folder that is there while the test runs
-class temporaryFolder
-{
-    std::string name_ = "/tmp/packingTest.XXXXXX";
-
-public:
-
-    temporaryFolder()
-    {
-        if (!::mkdtemp(&name_[0]))
-        {
-            ADD_FAILURE() << "no temporary folder";
-        }
-    }
-
-    ~temporaryFolder()
-    {
-        rmDir(name_);
-    }
-
-    operator fileName() const
-    {
-        return name_;
-    }
-};
 
 
 //- Pairs within the gap, image by image, in the simplest way there is

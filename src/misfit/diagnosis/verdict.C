@@ -4,6 +4,8 @@
 #include "diagnosis.H"
 #include "StringStream.H"
 
+#include <algorithm>
+
 namespace
 {
 
@@ -270,6 +272,12 @@ void Foam::misfit::diagnosis::setPosterior()
             )
         );
     }
+    std::stable_sort
+    (
+        found_.posterior.begin(),
+        found_.posterior.end(),
+        [](const auto& a, const auto& b) { return a.second() > b.second(); }
+    );
 }
 
 
@@ -282,7 +290,7 @@ void Foam::misfit::diagnosis::confide()
         const word& v = found_.verdict;
         const bool counts =
             v == "none" ? w.what.isNone()
-          : v == "sensor" || v == "registration"
+          : found_.blamesChannel()
           ? isFault(w) && w.what.fault->channel() == found_.names[0]
           : v == "unknown" ? w.what.isOnlyUnknown()
           : v == "set" ? w.score < lowest + settings_.gap
@@ -334,7 +342,7 @@ void Foam::misfit::diagnosis::describe()
         os << "Something is missing that is not in the library, or not only"
             << " that: no explanation passes all gates.";
     }
-    else if (v == "sensor" || v == "registration")
+    else if (found_.blamesChannel())
     {
         const hypothesisModel m(fit_->surface(), bounds_, best().what);
         os << "Not physics: "

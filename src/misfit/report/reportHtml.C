@@ -130,8 +130,7 @@ std::string verdict(const finding& f)
     for (const heldOut& h : f.held)
     {
         const bool faultIsShown =
-            (f.verdict == "sensor" || f.verdict == "registration")
-         && h.squareAfter < h.squareBefore;
+            f.blamesChannel() && h.squareAfter < h.squareBefore;
         if (f.strengths.size() || faultIsShown)
         {
             text +=
@@ -242,7 +241,7 @@ std::string gates(const finding& f)
     {
         rows.push_back
         ({
-            g.name, g.asked, g.value, g.bound,
+            g.name, g.asked, g.applies ? g.value : "", g.applies ? g.bound : "",
             g.applies ? g.passed ? "passed" : "failed" : "nothing to ask"
         });
     }

@@ -89,7 +89,7 @@ json parameters(const finding& f)
 json fault(const finding& f)
 {
     const hypothesis& what = f.explanations.first().what;
-    if ((f.verdict != "sensor" && f.verdict != "registration") || !what.fault)
+    if (!f.blamesChannel() || !what.fault)
     {
         return nullptr;
     }

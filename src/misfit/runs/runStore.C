@@ -91,7 +91,7 @@ Foam::fileNameList Foam::misfit::runStore::parts() const
 }
 
 
-Foam::string Foam::misfit::runStore::hashTemplate() const
+Foam::fileNameList Foam::misfit::runStore::files() const
 {
     fileNameList files;
     for (const fileName& part : parts())
@@ -106,7 +106,12 @@ Foam::string Foam::misfit::runStore::hashTemplate() const
         }
     }
     std::sort(files.begin(), files.end());
+    return files;
+}
 
+
+Foam::string Foam::misfit::runStore::hashTemplate() const
+{
     // A mesh that the commands make anew is not what the run is made of
     bool meshIsMade = false;
     for (const string& c : commands_)
@@ -115,7 +120,7 @@ Foam::string Foam::misfit::runStore::hashTemplate() const
     }
 
     string all;
-    for (const fileName& f : files)
+    for (const fileName& f : files())
     {
         const bool ofMesh = f.find("/polyMesh/") != string::npos;
         if (f.name() != "misfitDict" && !(ofMesh && meshIsMade))
@@ -124,6 +129,49 @@ Foam::string Foam::misfit::runStore::hashTemplate() const
         }
     }
     return digest(all);
+}
+
+
+Foam::fileName Foam::misfit::runStore::inCase(const fileName& part)
+{
+    const string original("0.orig");
+    return
+        part.find(original) == 0
+      ? fileName("0" + part.substr(original.size()))
+      : part;
+}
+
+
+void Foam::misfit::runStore::link(const fileName& target) const
+{
+    for (const fileName& f : files())
+    {
+        const fileName l(target/inCase(f.substr(template_.size() + 1)));
+        mkDir(l.path());
+        ln(f, l);
+    }
+}
+
+
+void Foam::misfit::runStore::checkPrograms() const
+{
+    for (const string& c : commands_)
+    {
+        const string program(c.substr(0, c.find(' ')));
+
+        // What has a path may be made by an earlier command
+        if
+        (
+            program.find('/') == string::npos
+         && Foam::system("command -v " + quoted(program) + " >/dev/null")
+        )
+        {
+            FatalErrorInFunction
+                << "There is no program " << program.c_str() << ", which"
+                << " commands in system/misfitDict begins with. Mend the name,"
+                << " or build it" << exit(FatalError);
+        }
+    }
 }
 
 
@@ -142,7 +190,7 @@ void Foam::misfit::runStore::prepare
 
     for (const fileName& part : parts())
     {
-        cp(template_/part, target/"case"/(part == "0.orig" ? "0" : part));
+        cp(template_/part, target/"case"/inCase(part));
     }
     run.change(target/"case");
 
@@ -267,6 +315,38 @@ Foam::scalar Foam::misfit::runStore::seconds(const wantedRun& run) const
 {
     const string said(contentOf(folder_/name(run)/"finished"));
     return std::atof(said.c_str() + min(said.find(' '), said.size()));
+}
+
+
+void Foam::misfit::runStore::rehearse(const List<wantedRun>& runs) const
+{
+    checkPrograms();
+    const fileName scratch(folder_/("rehearsal." + Foam::name(pid())));
+    const bool threw = FatalError.throwExceptions();
+    const bool threwIO = FatalIOError.throwExceptions();
+    string wrong;
+    try
+    {
+        for (const wantedRun& run : runs)
+        {
+            rmDir(scratch, true);
+            link(scratch);
+            run.change(scratch);
+        }
+    }
+    catch (const Foam::error& e)
+    {
+        wrong = e.message();
+    }
+    rmDir(scratch, true);
+    FatalError.throwExceptions(threw);
+    FatalIOError.throwExceptions(threwIO);
+    if (wrong.size())
+    {
+        // Where a person mends it
+        wrong.replaceAll(scratch, template_);
+        FatalErrorInFunction << wrong.c_str() << exit(FatalError);
+    }
 }
 
 

@@ -129,7 +129,8 @@ Foam::misfit::wantedRun
 Foam::misfit::solverPredictor::wanted(const runState& state) const
 {
     const auto list(changes(state));
-    const dictionary measured(functions(state.experiment));
+    const word experiment(state.experiment);
+    const dictionary measured(functions(experiment));
 
     OStringStream os;
     for (const auto& c : list)
@@ -141,15 +142,52 @@ Foam::misfit::solverPredictor::wanted(const runState& state) const
     return
     {
         os.str(),
-        [list, measured](const fileName& caseFolder)
+        [this, list, measured, experiment](const fileName& caseFolder)
         {
             for (const auto& c : list)
             {
                 c.first().apply(caseFolder, c.second());
             }
             addFunctions(caseFolder, measured);
+            checkEnd(caseFolder, experiment);
         }
     };
+}
+
+
+void Foam::misfit::solverPredictor::rehearse() const
+{
+    List<wantedRun> runs;
+    for (const word& name : recordings_.experiments())
+    {
+        runState state;
+        state.experiment = name;
+        for (const parameter& p : parameters_)
+        {
+            state.parameters.set(p.name, p.mean);
+        }
+        runs.append(wanted(state));
+
+        for (const word& finer : resolutions_.sortedToc())
+        {
+            runState s(state);
+            s.resolution = finer;
+            runs.append(wanted(s));
+        }
+        if (hasPackings())
+        {
+            runState s(state);
+            s.packing = 2;
+            runs.append(wanted(s));
+        }
+        for (const candidate& c : candidates_)
+        {
+            runState s(state);
+            s.strengths.set(c.name, c.strong);
+            runs.append(wanted(s));
+        }
+    }
+    store_.rehearse(runs);
 }
 
 
@@ -191,6 +229,46 @@ void Foam::misfit::solverPredictor::checkPlacesIn
         }
     }
     checkPlaces(mesh, here);
+}
+
+
+Foam::scalar Foam::misfit::solverPredictor::needed(const channel& c)
+{
+    return
+        c.isRecorded() && c.overTime()
+      ? c.recorded().x.last() - 0.5*c.span()
+      : 0;
+}
+
+
+void Foam::misfit::solverPredictor::checkEnd
+(
+    const fileName& caseFolder,
+    const word& experiment
+) const
+{
+    fileDictionary control(caseFolder/"system"/"controlDict");
+    const entry* end = control.content().findEntry("endTime");
+    const bool isNumber =
+        end && end->isStream() && end->stream().size() == 1
+     && end->stream()[0].isNumber();
+    if (!isNumber)
+    {
+        return;
+    }
+    const scalar endTime = end->stream()[0].number();
+    for (const channel& c : recordings_.channels())
+    {
+        if (c.experiment() == experiment && endTime < needed(c))
+        {
+            FatalErrorInFunction
+                << "endTime in " << caseFolder/"system"/"controlDict"
+                << " is " << endTime << " s, and the channel " << c.name()
+                << " was recorded until " << c.recorded().x.last()
+                << " s: run longer, or give the channel an interval"
+                << exit(FatalError);
+        }
+    }
 }
 
 
@@ -299,6 +377,7 @@ Foam::misfit::solverPredictor::solverPredictor
     {
         observers_.append(observer::New(c).ptr());
     }
+    rehearse();
     checkPlacesIn(templateCase, recorded.experiments(purpose::fit).first());
 }
 
