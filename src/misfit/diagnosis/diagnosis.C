@@ -128,6 +128,20 @@ void Foam::misfit::diagnosis::build()
 }
 
 
+void Foam::misfit::diagnosis::checkBase(const runState& base)
+{
+    const samples given(sampler_(List<runState>(1, base)).first());
+    if (!given.ok())
+    {
+        FatalErrorInFunction
+            << "The base case did not run: " << given.failure.c_str()
+            << nl << "Mend the case first; nothing was diagnosed. If the case"
+            << " is sound, delete its folder in misfit/runs to have it run again"
+            << exit(FatalError);
+    }
+}
+
+
 void Foam::misfit::diagnosis::uncertainty()
 {
     Info<< "S0 uncertainty" << endl;
@@ -141,16 +155,8 @@ void Foam::misfit::diagnosis::uncertainty()
         states.append(state(bounds_.mean));
         states.last().resolution = name;
     }
+    checkBase(states.first());
     const List<samples> given(ask(states));
-
-    if (!given.first().ok())
-    {
-        FatalErrorInFunction
-            << "The base case did not run: " << given.first().failure.c_str()
-            << nl << "Mend the case first; nothing was diagnosed. If the case"
-            << " is sound, delete its folder in misfit/runs to have it run again"
-            << exit(FatalError);
-    }
 
     mat fit(fit_->size(), 0);
     mat gate(gate_->size(), 0);
