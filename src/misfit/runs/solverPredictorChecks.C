@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a run would show to be wrong with a case, told before it or after the first.
+
+#include "solverPredictor.H"
+#include "fileDictionary.H"
+#include "placesInMesh.H"
+
+#include "OSspecific.H"
+#include "Time.H"
+
+#include <cmath>
+
+
+void Foam::misfit::solverPredictor::checkPlacesIn
+(
+    const fileName& caseFolder,
+    const word& experiment
+)
+{
+    if
+    (
+        placesChecked_.found(experiment)
+     || !isFile(caseFolder/"constant/polyMesh/faces")
+    )
+    {
+        return;
+    }
+    placesChecked_.insert(experiment);
+
+    Time runTime
+    (
+        Time::controlDictName, caseFolder.path(), caseFolder.name(),
+        "system", "constant", false, false
+    );
+    const polyMesh mesh
+    (
+        IOobject
+        (
+            polyMesh::defaultRegion, runTime.timeName(), runTime,
+            IOobject::MUST_READ
+        )
+    );
+    UPtrList<observer> here;
+    for (observer& o : observers_)
+    {
+        if (o.of().experiment() == experiment)
+        {
+            here.append(&o);
+        }
+    }
+    checkPlaces(mesh, here);
+}
+
+
+Foam::scalar Foam::misfit::solverPredictor::needed(const channel& c)
+{
+    return
+        c.isRecorded() && c.overTime()
+      ? c.recorded().x.last() - 0.5*c.span()
+      : 0;
+}
+
+
+void Foam::misfit::solverPredictor::checkEnd
+(
+    const fileName& caseFolder,
+    const word& experiment
+) const
+{
+    fileDictionary control(caseFolder/"system"/"controlDict");
+    const entry* end = control.content().findEntry("endTime");
+    const bool isNumber =
+        end && end->isStream() && end->stream().size() == 1
+     && end->stream()[0].isNumber();
+    if (!isNumber)
+    {
+        return;
+    }
+    const scalar endTime = end->stream()[0].number();
+    for (const channel& c : recordings_.channels())
+    {
+        if (c.experiment() == experiment && endTime < needed(c))
+        {
+            FatalErrorInFunction
+                << "endTime in " << caseFolder/"system"/"controlDict"
+                << " is " << endTime << " s, and the channel " << c.name()
+                << " was recorded until " << c.recorded().x.last()
+                << " s: run longer, or give the channel an interval"
+                << exit(FatalError);
+        }
+    }
+}
+
+
+Foam::string Foam::misfit::solverPredictor::fault
+(
+    const channel& c,
+    const series& s
+) const
+{
+    if (s.x.empty())
+    {
+        return "it wrote nothing for the channel " + c.name();
+    }
+    for (const scalar value : s.y)
+    {
+        if (!std::isfinite(value) || mag(value) > 1e100)
+        {
+            return "it gave no finite numbers for the channel " + c.name();
+        }
+    }
+    if (!c.isRecorded())
+    {
+        return "";
+    }
+
+    // A cell centre is up to half a cell from the wall
+    const label n = s.x.size();
+    const scalar step =
+        n > 1 && !c.overTime() ? s.x[n-1] - s.x[n-2] : 0;
+    const scalar enough = c.recorded().x.last() - max(0.5*c.span(), step);
+    if (s.x.last() < enough)
+    {
+        return
+            "it ends at " + Foam::name(s.x.last()) + " and the channel "
+          + c.name() + " was recorded until "
+          + Foam::name(c.recorded().x.last())
+          + ": run longer, or give the channel an interval";
+    }
+    return "";
+}
+
+
+void Foam::misfit::solverPredictor::rehearse() const
+{
+    List<wantedRun> runs;
+    for (const word& name : recordings_.experiments())
+    {
+        runState state;
+        state.experiment = name;
+        for (const parameter& p : parameters_)
+        {
+            state.parameters.set(p.name, p.mean);
+        }
+        runs.append(wanted(state));
+
+        for (const word& finer : resolutions_.sortedToc())
+        {
+            runState s(state);
+            s.resolution = finer;
+            runs.append(wanted(s));
+        }
+        if (hasPackings())
+        {
+            runState s(state);
+            s.packing = 2;
+            runs.append(wanted(s));
+        }
+        for (const candidate& c : candidates_)
+        {
+            runState s(state);
+            s.strengths.set(c.name, c.strong);
+            runs.append(wanted(s));
+        }
+    }
+    store_.rehearse(runs);
+}
