@@ -6,7 +6,6 @@
 #include "misfitWorld.H"
 #include "temporaryFolder.H"
 
-
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 

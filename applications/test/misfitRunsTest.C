@@ -158,6 +158,31 @@ std::string refusal(const std::function<void()>& f)
 }
 
 
+//- What is said of the case where its dictionary has other words
+std::string refusalWith
+(
+    const fakeCase& c,
+    const std::string& old,
+    const std::string& other
+)
+{
+    OStringStream os;
+    c.dict().write(os, false);
+    std::string text(os.str());
+    text.replace(text.find(old), old.size(), other);
+    return refusal
+    (
+        [&]()
+        {
+            IStringStream is(text);
+            const dictionary dict(is);
+            const recordings r(dict, c.folder());
+            solverPredictor(r, c.folder(), dict).predict({withSlope(2)});
+        }
+    );
+}
+
+
 caseChange change(const std::string& text)
 {
     IStringStream is(text);
@@ -360,14 +385,7 @@ TEST(misfitRuns, whatAnyRunCannotHaveIsToldBeforeTheFirst)
     const fakeCase c;
     const auto said = [&c](const std::string& old, const std::string& wrong)
     {
-        OStringStream os;
-        c.dict().write(os, false);
-        std::string text(os.str());
-        text.replace(text.find(old), old.size(), wrong);
-        IStringStream is(text);
-        const dictionary dict(is);
-        const recordings r(dict, c.folder());
-        return refusal([&](){ solverPredictor(r, c.folder(), dict); });
+        return refusalWith(c, old, wrong);
     };
     const fileName runs(c.folder()/"misfit"/"runs");
 
@@ -406,26 +424,9 @@ TEST(misfitRuns, aRehearsalLeavesTheCaseAsItIs)
 TEST(misfitRuns, aChannelThatNoTableMatchesIsRefused)
 {
     const fakeCase c;
-    const auto said = [&c](const std::string& old, const std::string& mended)
+    const auto expect = [&c](const char* a, const char* b, const char* words)
     {
-        OStringStream os;
-        c.dict().write(os, false);
-        std::string text(os.str());
-        text.replace(text.find(old), old.size(), mended);
-        return refusal
-        (
-            [&]()
-            {
-                IStringStream is(text);
-                const dictionary dict(is);
-                const recordings r(dict, c.folder());
-                solverPredictor(r, c.folder(), dict).predict({withSlope(2)});
-            }
-        );
-    };
-    const auto expect = [&said](const char* a, const char* b, const char* words)
-    {
-        const std::string message(said(a, b));
+        const std::string message(refusalWith(c, a, b));
         EXPECT_NE(message.find(words), std::string::npos) << message;
     };
     expect("out.dat", "no.dat", "wrote no numbers");
