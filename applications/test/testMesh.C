@@ -4,9 +4,6 @@
 
 #include "testMesh.H"
 #include "OFstream.H"
-#include "OSspecific.H"
-
-#include <cstdlib>
 
 namespace
 {
@@ -64,18 +61,6 @@ void Foam::testMesh::cutSlab()
 
 void Foam::testMesh::writeCase()
 {
-    std::string name(getEnv("TMPDIR"));
-    name = (name.empty() ? "/tmp" : name) + "/testMesh.XXXXXX";
-
-    if (!::mkdtemp(&name[0]))
-    {
-        FatalErrorInFunction
-            << "Cannot create the temporary folder " << name
-            << "; set TMPDIR to a folder that can be written to"
-            << exit(FatalError);
-    }
-
-    folder_ = fileName(name);
     writeDictionary(folder_, "controlDict", controlEntries);
     writeDictionary(folder_, "fvSchemes", schemesEntries);
     writeDictionary(folder_, "fvSolution", solutionEntries);
@@ -368,5 +353,4 @@ Foam::testMesh::~testMesh()
 {
     mesh_.clear();
     time_.clear();
-    rmDir(folder_);
 }
