@@ -283,10 +283,43 @@ TEST_F(tank, thePointLoadIsTheMeanMagnitudeOfForce)
     load.write();
 
     const scalarList line(lastLine("load", "collisionLoad"));
-    ASSERT_EQ(line.size(), 4);
+    ASSERT_EQ(line.size(), 6);
     EXPECT_NEAR(line[1], 5, 1e-6);
     EXPECT_EQ(line[3], 20);
     EXPECT_NEAR(lastLine("load", "summary")[1], 5, 1e-6);
+}
+
+
+TEST_F(tank, theGrainsThatPassHaveTheirVelocityAndHeight)
+{
+    forAll(grains_.grains.U, i)
+    {
+        grains_.grains.U[i] = vector(grains_.grains.position[i].x(), 0, 1);
+    }
+
+    functionObjects::collisionLoad load
+    (
+        "load",
+        box_.time(),
+        dict("types (1); range (0.2 0.4); window (0 1);")
+    );
+    load.execute();
+
+    // Those beyond the range do not count, those in it are now slower
+    for (vector& U : grains_.grains.U)
+    {
+        U.x() *= 0.5;
+    }
+    ++box_.time();
+    load.execute();
+    load.write();
+
+    const scalarList line(lastLine("load", "collisionLoad"));
+    const scalarList summary(lastLine("load", "summary"));
+    EXPECT_NEAR(line[4], 0.15, 1e-6);
+    EXPECT_NEAR(line[5], 0.016, 0.002);
+    EXPECT_NEAR(summary[6], 0.225, 1e-6);
+    EXPECT_NEAR(summary[7], line[5], 1e-9);
 }
 
 

@@ -127,7 +127,7 @@ END {
     overErosion("bouncing"); overErosion("Ubouncing", "bouncing")
     overErosion("creeping"); overErosion("Ucreeping", "creeping")
     overErosion("stationary")
-    putLast("load summary", "Fc M E")
+    putLast("load summary", "Fc M E Upassing hPassing")
     putLast("water massBalance", "waterError")
     put("grainsLeft", last("water massBalance", "left"))
     putLast("water massBalance", "grainsMissing")

@@ -27,6 +27,8 @@ Foam::functionObjects::collisionLoad::collisionLoad
     read(dict);
 
     force_ = keptSeries("force");
+    velocity_ = keptSeries("velocity");
+    height_ = keptSeries("height");
     number_ = keptSeries("number");
 
     if (mass_ <= 0)
@@ -47,16 +49,18 @@ void Foam::functionObjects::collisionLoad::writeHeaders()
     (
         file(),
         "Contact forces of grains in the range: mean and greatest magnitude"
-        " in N, number of grains",
-        {"Fc", "FcMax", "n"}
+        " in N, number of grains; their mean velocity downslope in m/s, the"
+        " height that they take in m",
+        {"Fc", "FcMax", "n", "Upassing", "hPassing"}
     );
 
     writeColumns
     (
         extraFile("summary"),
         "So far: point load Fc in N (Eq 14), mass M in kg, thickness h in m,"
-        " Fr, impact energy E in J (Eq 15; 0: not known)",
-        {"Fc", "M", "h", "Fr", "E"}
+        " Fr, impact energy E in J (Eq 15; 0: not known), velocity in m/s and"
+        " height in m of the grains that pass",
+        {"Fc", "M", "h", "Fr", "E", "Upassing", "hPassing"}
     );
 }
 
@@ -86,7 +90,11 @@ void Foam::functionObjects::collisionLoad::writeSummary()
     writeLine
     (
         extraFile("summary"),
-        scalarList({pointLoad(), mass_, h, Fr, E})
+        scalarList
+        ({
+            meanOverGrains(force_), mass_, h, Fr, E,
+            meanOverGrains(velocity_), meanOverGrains(height_)
+        })
     );
 }
 
@@ -142,23 +150,30 @@ Foam::scalar Foam::functionObjects::collisionLoad::measuredMass() const
 }
 
 
-Foam::scalar Foam::functionObjects::collisionLoad::pointLoad() const
+bool Foam::functionObjects::collisionLoad::inWindow(const scalar t) const
 {
-    scalar force = 0;
+    return t >= window_.first() - SMALL && t <= window_.second() + SMALL;
+}
+
+
+Foam::scalar Foam::functionObjects::collisionLoad::meanOverGrains
+(
+    const sampleSeries& sums
+) const
+{
+    scalar sum = 0;
     scalar number = 0;
 
-    forAll(force_.times(), i)
+    forAll(sums.times(), i)
     {
-        const scalar t = force_.times()[i];
-
-        if (t >= window_.first() - SMALL && t <= window_.second() + SMALL)
+        if (inWindow(sums.times()[i]))
         {
-            force += force_.values()[i];
+            sum += sums.values()[i];
             number += number_.values()[i];
         }
     }
 
-    return number > 0 ? force/number : 0;
+    return number > 0 ? sum/number : 0;
 }
 
 
@@ -171,34 +186,47 @@ bool Foam::functionObjects::collisionLoad::execute()
     }
 
     const grainSnapshot& all = grains();
-    scalar sum = 0;
+    const labelList chosen(ofTypes(all, types_));
+    scalar force = 0;
+    scalar velocity = 0;
     scalar greatest = 0;
     label n = 0;
 
-    for (const label i : ofTypes(all, types_))
+    for (const label i : chosen)
     {
         const scalar x = frame_.x(all.position[i]);
 
         if (x >= range_.first() && x <= range_.second())
         {
             const scalar F = mag(all.contactForce[i]);
-            sum += F;
+            force += F;
+            velocity += all.U[i] & frame_.downslope();
             greatest = max(greatest, F);
             ++n;
         }
     }
 
-    reduce(sum, sumOp<scalar>());
+    reduce(force, sumOp<scalar>());
+    reduce(velocity, sumOp<scalar>());
     reduce(greatest, maxOp<scalar>());
     reduce(n, sumOp<label>());
 
-    force_.append(now(), sum);
+    const scalar height = extent(chosen, range_.first(), range_.second());
+
+    force_.append(now(), force);
+    velocity_.append(now(), velocity);
+    height_.append(now(), n*height);
     number_.append(now(), n);
     keep("force", force_);
+    keep("velocity", velocity_);
+    keep("height", height_);
     keep("number", number_);
-    line_ = {sum/max(n, 1), greatest, scalar(n)};
+    line_ =
+    {
+        force/max(n, 1), greatest, scalar(n), velocity/max(n, 1), height
+    };
 
-    setResult("Fc", pointLoad());
+    setResult("Fc", meanOverGrains(force_));
 
     return true;
 }

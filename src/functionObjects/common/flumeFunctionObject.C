@@ -4,7 +4,9 @@
 #include "flumeFunctionObject.H"
 
 #include "gravityMeshObject.H"
+#include "mathematicalConstants.H"
 #include "snapshotCache.H"
+#include "strips.H"
 
 namespace Foam
 {
@@ -108,6 +110,42 @@ Foam::labelList Foam::functionObjects::flumeFunctionObject::ofTypes
     }
 
     return chosen;
+}
+
+
+Foam::scalar Foam::functionObjects::flumeFunctionObject::extent
+(
+    const labelList& chosen,
+    const scalar x1,
+    const scalar x2
+) const
+{
+    const scalar fine = 0.001;
+    const scalar margin = 0.05;
+
+    const grainSnapshot& all = grains();
+    strips height(box().min().z(), box().max().z(), fine);
+
+    for (const label i : chosen)
+    {
+        const scalar x = frame_.x(all.position[i]);
+
+        if (x >= x1 && x <= x2)
+        {
+            height.addSphere
+            (
+                frame_.z(all.position[i]),
+                all.d[i]/2,
+                constant::mathematical::pi*pow3(all.d[i])/6
+            );
+        }
+    }
+
+    height.reduce();
+
+    return
+        (height.quantile(1 - margin) - height.quantile(margin))
+       /(1 - 2*margin);
 }
 
 

@@ -32,17 +32,6 @@ Foam::functionObjects::surgeFront::thicknessNames
 });
 
 
-namespace
-{
-
-Foam::scalar sphereVolume(const Foam::scalar d)
-{
-    return Foam::constant::mathematical::pi*d*d*d/6;
-}
-
-} // End anonymous namespace
-
-
 Foam::functionObjects::surgeFront::surgeFront
 (
     const word& name,
@@ -165,7 +154,7 @@ Foam::strips Foam::functionObjects::surgeFront::solidThickness
         (
             frame_.x(all.position[i]),
             all.d[i]/2,
-            sphereVolume(all.d[i])
+            constant::mathematical::pi*pow3(all.d[i])/6
         );
     }
 
@@ -199,42 +188,6 @@ Foam::strips Foam::functionObjects::surgeFront::waterThickness() const
     result.reduce();
     result.values() /= stripWidth_*width_;
     return result;
-}
-
-
-Foam::scalar Foam::functionObjects::surgeFront::extent
-(
-    const labelList& chosen,
-    const scalar x1,
-    const scalar x2
-) const
-{
-    const scalar fine = 0.001;
-    const scalar margin = 0.05;
-
-    const grainSnapshot& all = grains();
-    strips height(box().min().z(), box().max().z(), fine);
-
-    for (const label i : chosen)
-    {
-        const scalar x = frame_.x(all.position[i]);
-
-        if (x >= x1 && x <= x2)
-        {
-            height.addSphere
-            (
-                frame_.z(all.position[i]),
-                all.d[i]/2,
-                sphereVolume(all.d[i])
-            );
-        }
-    }
-
-    height.reduce();
-
-    return
-        (height.quantile(1 - margin) - height.quantile(margin))
-       /(1 - 2*margin);
 }
 
 
