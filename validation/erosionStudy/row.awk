@@ -118,6 +118,7 @@ END {
     put("ranks", ranks); put("seconds", seconds)
     put("endTime", endTime)
     putLast("front summary", "U h Fr tBegin tEnd")
+    put("Utip", last("tip summary", "U"))
     putLast("bed summary", "H L Lc Ue")
     putLast("bed bedErosion", "xEnd")
     putLast("bed summary", "netStart netEnd peakTime peakRate")
