@@ -397,27 +397,93 @@ TEST(misfitRuns, whatAnyRunCannotHaveIsToldBeforeTheFirst)
 
     EXPECT_NE
     (
-        said("\"true\"", "\"noSuchMesher\"").find("no program noSuchMesher"),
+        said("\"true\"", "\"noSuchMesher\"").find("no program 'noSuchMesher"),
         std::string::npos
     );
 
-    c.write("system/controlDict", "#include \"more\"\nendTime 1.5;\n");
-    const std::string early(said("LunLiu", "LunLiu"));
-    EXPECT_NE(early.find("is 1.5 s"), std::string::npos) << early;
-    EXPECT_NE(early.find("run longer"), std::string::npos) << early;
+    // A file that cannot be read has its name and line, and is the one in 0.orig
+    c.write("0.orig/U", "internalField\n{\n    uniform\n");
+    const std::string file(c.folder() + "/0.orig/U at line ");
+    const std::string unread(said("constant/model", "0/U"));
+    EXPECT_NE(unread.find(file), std::string::npos) << unread;
+
     EXPECT_EQ(c.count(), 0);
     EXPECT_TRUE(readDir(runs, fileName::DIRECTORY).empty());
+}
+
+
+TEST(misfitRuns, aCaseThatEndsBeforeItsRecordingIsToldOfBeforeTheFirst)
+{
+    const fakeCase c;
+    c.write("system/controlDict", "#include \"more\"\nendTime 1.5;\n");
+    fakePredictor p(c);
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    p.predict.predict({withSlope(2), withSlope(3)});
+    const std::string told
+    (
+        testing::internal::GetCapturedStdout()
+      + testing::internal::GetCapturedStderr()
+    );
+    const auto first = told.find("experiment A is 1.5 s");
+    EXPECT_NE(first, std::string::npos) << told;
+    EXPECT_EQ(told.find("is 1.5 s", first + 20), std::string::npos) << told;
+
+    // A command may have set another end
+    EXPECT_EQ(c.count(), 2);
+}
+
+
+TEST(misfitRuns, whatIsFinishedIsReadWithoutItsPrograms)
+{
+    const fakeCase c;
+    c.write("mesher", "#!/bin/sh\n");
+    chMod(c.folder()/"mesher", 0755);
+    const std::string path(getEnv("PATH"));
+    setEnv("PATH", c.folder() + ":" + path, true);
+
+    OStringStream os;
+    c.dict().write(os, false);
+    std::string text(os.str());
+    text.replace(text.find("\"true\""), 6, "\"\tmesher -all\"");
+    IStringStream is(text);
+    const dictionary dict(is);
+    const recordings recorded(dict, c.folder());
+    const auto ends = [&]()
+    {
+        return solverPredictor(recorded, c.folder(), dict)
+            .predict({withSlope(2)}).first().channels[0].y.last();
+    };
+    EXPECT_EQ(ends(), 4);
+    rm(c.folder()/"mesher");
+    EXPECT_EQ(ends(), 4);
+    setEnv("PATH", path, true);
+    EXPECT_EQ(c.count(), 1);
 }
 
 
 TEST(misfitRuns, aRehearsalLeavesTheCaseAsItIs)
 {
     const fakeCase c;
-    const fileName model(c.folder()/"constant/model");
-    const fileName script(c.folder()/"constant/script");
-    const std::string before(content(model) + content(script));
-    const fakePredictor predict(c);
-    EXPECT_EQ(content(model) + content(script), before);
+    const auto all = [&c]()
+    {
+        std::string text;
+        for (const char* f : {"constant/model", "constant/script", "system/controlDict"})
+        {
+            text += content(c.folder()/f);
+        }
+        return text;
+    };
+    const std::string before(all());
+    fakePredictor p
+    (
+        c,
+        "experiments { A { use fit; changes ("
+        " { file \"constant/script\"; variable mu; value 0.3; } ); } }"
+    );
+    p.predict.predict({withSlope(2)});
+    EXPECT_EQ(c.count(), 1);
+    EXPECT_EQ(all(), before);
 }
 
 

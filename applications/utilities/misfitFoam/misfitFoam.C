@@ -20,7 +20,7 @@ namespace misfit
 void tellPlan
 (
     const diagnosis& d,
-    const solverPredictor& solver,
+    solverPredictor& solver,
     const settings& set
 )
 {

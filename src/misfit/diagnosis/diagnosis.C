@@ -128,16 +128,39 @@ void Foam::misfit::diagnosis::build()
 }
 
 
-void Foam::misfit::diagnosis::checkBase(const runState& base)
+Foam::List<Foam::misfit::runState> Foam::misfit::diagnosis::bases() const
 {
-    const samples given(sampler_(List<runState>(1, base)).first());
-    if (!given.ok())
+    List<runState> states;
+    for (const observed& o : sampler_.data())
+    {
+        states.append(state(bounds_.mean));
+        states.last().experiment = o.experiment;
+    }
+    return states;
+}
+
+
+void Foam::misfit::diagnosis::checkBases()
+{
+    const List<samples> given(sampler_(bases()));
+    if (!given.first().ok())
     {
         FatalErrorInFunction
-            << "The base case did not run: " << given.failure.c_str()
+            << "The base case did not run: " << given.first().failure.c_str()
             << nl << "Mend the case first; nothing was diagnosed. If the case"
             << " is sound, delete its folder in misfit/runs to have it run again"
             << exit(FatalError);
+    }
+    for (label i = 1; i < given.size(); ++i)
+    {
+        if (!given[i].ok())
+        {
+            WarningInFunction
+                << "The base of the experiment "
+                << sampler_.data()[i].experiment << " did not run: "
+                << given[i].failure.c_str() << nl
+                << "It will confirm nothing until that is mended" << endl;
+        }
     }
 }
 
@@ -155,7 +178,7 @@ void Foam::misfit::diagnosis::uncertainty()
         states.append(state(bounds_.mean));
         states.last().resolution = name;
     }
-    checkBase(states.first());
+    checkBases();
     const List<samples> given(ask(states));
 
     mat fit(fit_->size(), 0);
@@ -409,6 +432,7 @@ Foam::misfit::diagnosis::plan() const
         stages.append(Tuple2<string, List<runState>>(what, states));
     };
 
+    const List<runState> all(bases());
     List<runState> first;
     for (label packing = 0; packing < settings_.packings; ++packing)
     {
@@ -418,6 +442,10 @@ Foam::misfit::diagnosis::plan() const
     {
         first.append(state(bounds_.mean));
         first.last().resolution = name;
+    }
+    for (const runState& base : SubList<runState>(all, all.size() - 1, 1))
+    {
+        first.append(base);
     }
     stages.append(Tuple2<string, List<runState>>("S0 uncertainty", first));
 

@@ -11,7 +11,7 @@
 #include "OSspecific.H"
 
 #include <cstdio>
-#include <regex>
+#include <sstream>
 
 namespace
 {
@@ -84,7 +84,6 @@ void Foam::misfit::caseChange::applyToScript
     const string& value
 ) const
 {
-    const std::regex line("(\\s*variable\\s+" + name_ + "\\s+equal\\s+)(.*)");
     std::string text;
     label found = 0;
     {
@@ -92,10 +91,12 @@ void Foam::misfit::caseChange::applyToScript
         std::string s;
         while (std::getline(is.stdStream(), s))
         {
-            std::smatch m;
-            if (std::regex_match(s, m, line))
+            std::istringstream words(s);
+            std::string command, name, style;
+            words >> command >> name >> style;
+            if (command == "variable" && name == name_ && style == "equal")
             {
-                s = m[1].str() + value;
+                s = "variable " + name_ + " equal " + value;
                 ++found;
             }
             text += s + '\n';

@@ -3,12 +3,14 @@
 
 #include "runStore.H"
 #include "keywords.H"
+#include "temporaryFolder.H"
 
 #include "fileNameList.H"
 #include "IFstream.H"
 #include "OFstream.H"
 #include "OSspecific.H"
 #include "SHA1.H"
+#include "stringOps.H"
 
 #include <algorithm>
 #include <fcntl.h>
@@ -55,11 +57,15 @@ string digest(const string& text)
 }
 
 
+//- Fields of a template before a run
+const string original("0.orig");
+
+
 //- What etc/misfitRun says before the limit [s] that a run did not keep
 const string tookLonger(" took longer than ");
 
 
-string quoted(const fileName& path)
+string inQuotes(const fileName& path)
 {
     return "'" + path + "'";
 }
@@ -83,7 +89,7 @@ Foam::word Foam::misfit::runStore::name(const wantedRun& run) const
 Foam::fileNameList Foam::misfit::runStore::parts() const
 {
     fileNameList found;
-    found.append(isDir(template_/"0.orig") ? "0.orig" : "0");
+    found.append(isDir(template_/original) ? original : string("0"));
     found.append("constant");
     found.append("system");
     found.append(files_);
@@ -134,9 +140,8 @@ Foam::string Foam::misfit::runStore::hashTemplate() const
 
 Foam::fileName Foam::misfit::runStore::inCase(const fileName& part)
 {
-    const string original("0.orig");
     return
-        part.find(original) == 0
+        part == original || part.find(original + '/') == 0
       ? fileName("0" + part.substr(original.size()))
       : part;
 }
@@ -148,7 +153,12 @@ void Foam::misfit::runStore::link(const fileName& target) const
     {
         const fileName l(target/inCase(f.substr(template_.size() + 1)));
         mkDir(l.path());
-        ln(f, l);
+
+        // Some file systems have no links
+        if (!exists(l) && !ln(f, l))
+        {
+            cp(f, l);
+        }
     }
 }
 
@@ -157,19 +167,20 @@ void Foam::misfit::runStore::checkPrograms() const
 {
     for (const string& c : commands_)
     {
-        const string program(c.substr(0, c.find(' ')));
+        const auto words(stringOps::splitSpace(c));
+        const string program(words.empty() ? string() : words[0].str());
 
         // What has a path may be made by an earlier command
         if
         (
             program.find('/') == string::npos
-         && Foam::system("command -v " + quoted(program) + " >/dev/null")
+         && Foam::system("command -v " + inQuotes(program) + " >/dev/null")
         )
         {
             FatalErrorInFunction
-                << "There is no program " << program.c_str() << ", which"
-                << " commands in system/misfitDict begins with. Mend the name,"
-                << " or build it" << exit(FatalError);
+                << "There is no program '" << program.c_str() << "', which"
+                << " commands in " << dictName_ << " begins with. Mend the"
+                << " name, or build it" << exit(FatalError);
         }
     }
 }
@@ -226,6 +237,7 @@ Foam::misfit::runStore::runStore
     template_(templateCase),
     folder_(templateCase/"misfit"/"runs"),
     commands_(dict.get<stringList>("commands")),
+    dictName_(dict.name()),
     files_(dict.getOrDefault("files", fileNameList())),
     ranks_(dict.getOrDefault<label>("ranks", 1)),
     jobs_
@@ -321,30 +333,40 @@ Foam::scalar Foam::misfit::runStore::seconds(const wantedRun& run) const
 void Foam::misfit::runStore::rehearse(const List<wantedRun>& runs) const
 {
     checkPrograms();
-    const fileName scratch(folder_/("rehearsal." + Foam::name(pid())));
     const bool threw = FatalError.throwExceptions();
     const bool threwIO = FatalIOError.throwExceptions();
     string wrong;
+    fileName here;
     try
     {
         for (const wantedRun& run : runs)
         {
-            rmDir(scratch, true);
-            link(scratch);
-            run.change(scratch);
+            const temporaryFolder scratch;
+            here = fileName(scratch)/"case";
+            link(here);
+            run.change(here);
         }
+    }
+    catch (const Foam::IOerror& e)
+    {
+        wrong =
+            e.message() + " in " + e.ioFileName() + " at line "
+          + Foam::name(e.ioStartLineNumber());
     }
     catch (const Foam::error& e)
     {
         wrong = e.message();
     }
-    rmDir(scratch, true);
     FatalError.throwExceptions(threw);
     FatalIOError.throwExceptions(threwIO);
     if (wrong.size())
     {
         // Where a person mends it
-        wrong.replaceAll(scratch, template_);
+        if (isDir(template_/original))
+        {
+            wrong.replaceAll(here/"0/", template_/(original + '/'));
+        }
+        wrong.replaceAll(here, template_);
         FatalErrorInFunction << wrong.c_str() << exit(FatalError);
     }
 }
@@ -378,7 +400,7 @@ void Foam::misfit::runStore::finish(const List<wantedRun>& runs)
       + " TIME_LIMIT=" + Foam::name(timeLimit_)
       + " RUNS=" + Foam::name(todo.size())
       + " STARTED=$(date +%s)"
-      + " make --no-print-directory -s -C " + quoted(folder_)
+      + " make --no-print-directory -s -C " + inQuotes(folder_)
       + " -f \"$INTERDEMFOAM_DIR/etc/misfitRuns.mk\" -j " + Foam::name(jobs_)
     );
     for (const word& run : todo.sortedToc())

@@ -191,7 +191,8 @@ Foam::misfit::solverPredictor::solverPredictor
     correction_(dict),
     template_(templateCase),
     packing_(readChanges(dict, "packing")),
-    store_(templateCase, dict)
+    store_(templateCase, dict),
+    rehearsed_(false)
 {
     const dictionary experiments(keywords::sub(dict, "experiments"));
     for (const word& name : recorded.experiments())
@@ -216,7 +217,6 @@ Foam::misfit::solverPredictor::solverPredictor
     {
         observers_.append(observer::New(c).ptr());
     }
-    rehearse();
     checkPlacesIn(templateCase, recorded.experiments(purpose::fit).first());
 }
 
@@ -230,6 +230,10 @@ Foam::misfit::solverPredictor::predict(const List<runState>& states)
     forAll(states, i)
     {
         runs[i] = wanted(states[i]);
+        if (!store_.isFinished(runs[i]))
+        {
+            rehearse();
+        }
     }
     store_.finish(runs);
 
@@ -253,7 +257,7 @@ void Foam::misfit::solverPredictor::tell
 (
     const string& what,
     const List<runState>& states
-) const
+)
 {
     Info<< what.c_str() << ": " << states.size() << " runs" << nl;
     scalar seconds = 0;
@@ -262,6 +266,10 @@ void Foam::misfit::solverPredictor::tell
     {
         const wantedRun run(wanted(s));
         const bool finished = store_.isFinished(run);
+        if (!finished)
+        {
+            rehearse();
+        }
         Info<< "    " << (finished ? "done  " : "to do ")
             << told(s).c_str() << nl;
         if (finished)

@@ -79,14 +79,18 @@ void Foam::misfit::solverPredictor::checkEnd
     const scalar endTime = end->stream()[0].number();
     for (const channel& c : recordings_.channels())
     {
-        if (c.experiment() == experiment && endTime < needed(c))
+        if
+        (
+            c.experiment() == experiment && endTime < needed(c)
+         && endsTold_.insert(experiment)
+        )
         {
-            FatalErrorInFunction
-                << "endTime in " << caseFolder/"system"/"controlDict"
-                << " is " << endTime << " s, and the channel " << c.name()
+            WarningInFunction
+                << "endTime of the experiment " << experiment << " is "
+                << endTime << " s, and its channel " << c.name()
                 << " was recorded until " << c.recorded().x.last()
-                << " s: run longer, or give the channel an interval"
-                << exit(FatalError);
+                << " s: run longer (system/controlDict, or changes of the"
+                << " experiment), or give the channel an interval" << endl;
         }
     }
 }
@@ -116,9 +120,11 @@ Foam::string Foam::misfit::solverPredictor::fault
 
     // A cell centre is up to half a cell from the wall
     const label n = s.x.size();
-    const scalar step =
-        n > 1 && !c.overTime() ? s.x[n-1] - s.x[n-2] : 0;
-    const scalar enough = c.recorded().x.last() - max(0.5*c.span(), step);
+    const scalar step = n > 1 ? s.x[n-1] - s.x[n-2] : 0;
+    const scalar enough =
+        c.overTime()
+      ? needed(c)
+      : c.recorded().x.last() - max(0.5*c.span(), step);
     if (s.x.last() < enough)
     {
         return
@@ -131,36 +137,62 @@ Foam::string Foam::misfit::solverPredictor::fault
 }
 
 
-void Foam::misfit::solverPredictor::rehearse() const
+Foam::List<Foam::misfit::runState>
+Foam::misfit::solverPredictor::statesWithAllChanges
+(
+    const word& experiment
+) const
 {
-    List<wantedRun> runs;
-    for (const word& name : recordings_.experiments())
+    runState base;
+    base.experiment = experiment;
+    for (const parameter& p : parameters_)
     {
-        runState state;
-        state.experiment = name;
-        for (const parameter& p : parameters_)
-        {
-            state.parameters.set(p.name, p.mean);
-        }
-        runs.append(wanted(state));
+        base.parameters.set(p.name, p.mean);
+    }
+    List<runState> states(1, base);
 
-        for (const word& finer : resolutions_.sortedToc())
+    for (const word& finer : resolutions_.sortedToc())
+    {
+        states.append(base);
+        states.last().resolution = finer;
+    }
+    if (hasPackings())
+    {
+        states.append(base);
+        states.last().packing = 2;
+    }
+    for (const candidate& c : candidates_)
+    {
+        states.append(base);
+        states.last().strengths.set(c.name, c.strong);
+    }
+    if (correction_.elements().size())
+    {
+        states.append(base);
+        states.last().noting = true;
+        for (const correctionElement& e : correction_.elements())
         {
-            runState s(state);
-            s.resolution = finer;
-            runs.append(wanted(s));
+            states.last().strengths.set(e.name, e.size);
         }
-        if (hasPackings())
+    }
+    return states;
+}
+
+
+void Foam::misfit::solverPredictor::rehearse()
+{
+    if (rehearsed_)
+    {
+        return;
+    }
+    rehearsed_ = true;
+
+    List<wantedRun> runs;
+    for (const word& experiment : recordings_.experiments())
+    {
+        for (const runState& state : statesWithAllChanges(experiment))
         {
-            runState s(state);
-            s.packing = 2;
-            runs.append(wanted(s));
-        }
-        for (const candidate& c : candidates_)
-        {
-            runState s(state);
-            s.strengths.set(c.name, c.strong);
-            runs.append(wanted(s));
+            runs.append(wanted(state));
         }
     }
     store_.rehearse(runs);
