@@ -383,9 +383,10 @@ TEST_F(tank, grainsTakenAwayAreErosionAgainstTheStart)
         erosion.write();
 
         const scalarList line(lastLine("bed", "bedErosion"));
-        ASSERT_EQ(line.size(), 14);
+        ASSERT_EQ(line.size(), 15);
         EXPECT_NEAR(line[1], V/2/0.5, 1e-8);
         EXPECT_NEAR(line[13], V/2, 1e-8);
+        EXPECT_EQ(line[14], 0);
 
         // What is not there any more has left at the end of the flume
         EXPECT_NEAR(line[6], 1, 0.02);

@@ -248,9 +248,11 @@ TEST(bedErosion, aScarAndItsDepositAreMeasured)
         depth.values()[i] = x < 1.5 ? 0.03 : x < 1.8 ? -0.02 : 0;
     }
 
-    const erosionExtent scar(depth, 0.6, 0.001);
+    const erosionExtent scar(depth, 0.6, 0.001, 0.005);
     EXPECT_NEAR(scar.length, 0.9, 0.006);
     EXPECT_NEAR(scar.end, 1.5, 0.006);
+    EXPECT_NEAR(scar.raisedEnd, 1.8, 0.011);
+    EXPECT_EQ(erosionExtent(depth, 0.6, 0.001, 0.03).raisedEnd, 0.6);
     EXPECT_NEAR(scar.eroded, 0.9*0.03, 1e-12);
     EXPECT_NEAR(scar.deposited, 0.3*0.02, 1e-12);
 }

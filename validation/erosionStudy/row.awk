@@ -120,7 +120,7 @@ END {
     putLast("front summary", "U h Fr tBegin tEnd")
     put("Utip", last("tip summary", "U"))
     putLast("bed summary", "H L Lc Ue")
-    putLast("bed bedErosion", "xEnd")
+    putLast("bed bedErosion", "xEnd xRaised")
     putLast("bed summary", "netStart netEnd peakTime peakRate")
     begin = last("bed summary", "netStart")
     end = last("bed summary", "netEnd")

@@ -60,6 +60,7 @@ isPaper {
     ours[run, "E"] *= scale
     ours[run, "LFromWall"] = ours[run, "xEnd"]
     ours[run, "LFromWallDifference"] = difference(ours[run, "xEnd"], paper[run, "L"])
+    ours[run, "xRaisedDifference"] = difference(ours[run, "xRaised"], paper[run, "Lc"])
     ours[run, "UtipDifference"] = difference(ours[run, "Utip"], paper[run, "U"])
     ours[run, "UpassingDifference"] = \
         difference(ours[run, "Upassing"], paper[run, "U"])
@@ -71,7 +72,7 @@ END {
         printf ",%s,%sPaper,%sDifference", column[c], column[c], column[c]
     nMore = split("Fc bouncing creeping netStart netEnd peakTime hash code " \
         "LFromWall LFromWallDifference stationary Ubouncing Ucreeping " \
-        "Utip UtipDifference Upassing UpassingDifference hPassing", more, " ")
+        "xRaised xRaisedDifference Utip UtipDifference Upassing UpassingDifference hPassing", more, " ")
     for (i = 1; i <= nMore; i++) printf ",%s", more[i]
     print ""
 

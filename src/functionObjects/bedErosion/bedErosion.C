@@ -264,7 +264,10 @@ bool Foam::functionObjects::bedErosion::execute()
     strips smooth(depth);
     smooth.values() = depth.smoothed(smoothing_);
 
-    const erosionExtent extent(smooth, xStart_, threshold_);
+    const erosionExtent extent
+    (
+        smooth, xStart_, threshold_, reference_.d/2
+    );
     const Tuple2<strips, scalar> far(carried(grains));
     const scalar H = depth.mean(depthRange_.first(), depthRange_.second());
     const scalar atX0 = depth.mean(rateRange_.first(), rateRange_.second());
@@ -297,7 +300,8 @@ bool Foam::functionObjects::bedErosion::execute()
         far.first().beyond(nFarthest_), far.second(), grains.farthest(),
         moving.UMoving, moving.bouncing.U,
         extent.eroded*solid, extent.deposited*solid,
-        gSum((constant::mathematical::pi*pow3(grains.d)/6)())
+        gSum((constant::mathematical::pi*pow3(grains.d)/6)()),
+        extent.raisedEnd
     };
 
     const scalar base = solid*(layerRange_.second() - layerRange_.first());

@@ -14,7 +14,7 @@ void Foam::functionObjects::bedErosion::writeHeaders()
         "Erosion of the bed; lengths in m, velocities in m/s, volumes in m3",
         {
             "H", "depthX0", "rate", "L", "xEnd", "Lc", "LcRaw", "xFarthest",
-            "Ue", "Ubouncing", "eroded", "deposited", "bedVolume"
+            "Ue", "Ubouncing", "eroded", "deposited", "bedVolume", "xRaised"
         }
     );
 

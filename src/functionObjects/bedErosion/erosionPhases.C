@@ -9,11 +9,13 @@ Foam::erosionExtent::erosionExtent
 (
     const strips& depth,
     const scalar start,
-    const scalar threshold
+    const scalar threshold,
+    const scalar height
 )
 :
     length(0),
     end(start),
+    raisedEnd(start),
     eroded(0),
     deposited(0)
 {
@@ -32,6 +34,7 @@ Foam::erosionExtent::erosionExtent
 
             eroded += max(h.last(), scalar(0))*width;
             deposited += max(-h.last(), scalar(0))*width;
+            raisedEnd = -h.last() > height ? right : raisedEnd;
         }
     }
 
