@@ -60,7 +60,8 @@ isPaper {
     ours[run, "E"] *= scale
     ours[run, "LFromWall"] = ours[run, "xEnd"]
     ours[run, "LFromWallDifference"] = difference(ours[run, "xEnd"], paper[run, "L"])
-    ours[run, "xRaisedDifference"] = difference(ours[run, "xRaised"], paper[run, "Lc"])
+    ours[run, "LcFarthestDifference"] = \
+        difference(ours[run, "LcFarthest"], paper[run, "Lc"])
     ours[run, "UtipDifference"] = difference(ours[run, "Utip"], paper[run, "U"])
     ours[run, "UpassingDifference"] = \
         difference(ours[run, "Upassing"], paper[run, "U"])
@@ -72,7 +73,7 @@ END {
         printf ",%s,%sPaper,%sDifference", column[c], column[c], column[c]
     nMore = split("Fc bouncing creeping netStart netEnd peakTime hash code " \
         "LFromWall LFromWallDifference stationary Ubouncing Ucreeping " \
-        "xRaised xRaisedDifference Utip UtipDifference Upassing UpassingDifference hPassing", more, " ")
+        "LcFarthest LcFarthestDifference Utip UtipDifference Upassing UpassingDifference hPassing", more, " ")
     for (i = 1; i <= nMore; i++) printf ",%s", more[i]
     print ""
 
