@@ -126,10 +126,13 @@ function compare(q, bound,    i, x, y, all, off, constant, s, rho, m)
     {
         tell("reported", q " - scatter between packings", \
             sprintf("%.2g", 100*s), "", "%")
-        tell("reported", q " - rank correlation with other packings", \
+        tell("reported", q " - rank correlation without the chance of the packings - 90 %", \
             interval(q, x, y, s, rho), "", "")
     }
 }
+
+# The paper correlates the Fr that it prints, which is not that of Eq 12
+function paperColumn(name) { return name (name == "Fr" ? "Printed" : "Paper") }
 
 function correlations(    n, name, i, k, x, y, xp, yp, ours, paper, wanted)
 {
@@ -140,7 +143,7 @@ function correlations(    n, name, i, k, x, y, xp, yp, ours, paper, wanted)
         for (k = 1; k <= n; k++)
         {
             take(name[i], x); take(name[k], y)
-            take(name[i] "Paper", xp); take(name[k] "Paper", yp)
+            take(paperColumn(name[i]), xp); take(paperColumn(name[k]), yp)
             ours = correlation(x, y, nDone)
             paper = correlation(xp, yp, nDone)
             printf "%s,%s,%.3f,%.3f,%.3f\n", name[i], name[k], ours, paper, \

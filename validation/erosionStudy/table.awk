@@ -72,7 +72,7 @@ END {
     for (c = 1; c <= nColumns; c++)
         printf ",%s,%sPaper,%sDifference", column[c], column[c], column[c]
     nMore = split("Fc bouncing creeping netStart netEnd peakTime hash code " \
-        "LFromWall LFromWallDifference stationary Ubouncing Ucreeping " \
+        "LFromWall LFromWallDifference tBegin tEnd stationary Ubouncing Ucreeping " \
         "LcFarthest LcFarthestDifference Utip UtipDifference Upassing UpassingDifference hPassing", more, " ")
     for (i = 1; i <= nMore; i++) printf ",%s", more[i]
     print ""
