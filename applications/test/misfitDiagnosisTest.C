@@ -35,6 +35,14 @@ class worldSampler
     //- The second mechanism acts as the first one does
     bool twins_ = false;
 
+    //- The solver fails with strengths between those of S5, with another packing,
+    //  and where numerics are others
+    bool failsBetween_ = false;
+
+    bool failsRepeated_ = false;
+
+    bool failsFiner_ = false;
+
 
     stacked gate() const
     {
@@ -132,9 +140,30 @@ public:
         twins_ = true;
     }
 
+    void failBetween()
+    {
+        failsBetween_ = true;
+    }
+
+    void failRepeated()
+    {
+        failsRepeated_ = true;
+    }
+
+    void failFiner()
+    {
+        failsFiner_ = true;
+    }
+
     void failIn(const word& experiment)
     {
         failing_ = experiment;
+    }
+
+    void holdNothingOut()
+    {
+        data_.resize(1);
+        data_[0].gate = stacked();
     }
 
     //- A further experiment like B, in which nothing was left out
@@ -160,9 +189,16 @@ public:
             const bool fails =
                 states[i].experiment == failing_
              && states[i].strengths.size();
+            bool between = false;
+            forAllConstIters(states[i].strengths, strength)
+            {
+                between = between || (*strength != 0.5 && *strength != 1);
+            }
             if
             (
-                fails
+                fails || (failsBetween_ && between)
+             || (failsRepeated_ && states[i].packing)
+             || (failsFiner_ && states[i].resolution != "base")
              || (crashing_ >= 0 && x[world::nParameters + crashing_] > 0)
             )
             {
@@ -173,7 +209,10 @@ public:
                 List<label> keep;
                 world_.data.without(2, keep);
                 all[i].fit = rows(f, keep);
-                all[i].gate = world_.data.segments[2].of(f);
+                if (data_[0].gate.size())
+                {
+                    all[i].gate = world_.data.segments[2].of(f);
+                }
             }
             else
             {
@@ -363,6 +402,61 @@ TEST(misfitDiagnosis, anExperimentInWhichTheSolverFailsConfirmsNothing)
     const finding f(diagnose(s));
     show(f);
     EXPECT_EQ(f.verdict, "unknown");
+}
+
+
+TEST(misfitDiagnosis, whatWasNotRunAsItWasFittedIsNotNamed)
+{
+    worldSampler s(truth(0, 0.7), 200, vec());
+    s.failBetween();
+    const finding f(diagnose(s));
+    show(f);
+    EXPECT_EQ(f.verdict, "unknown");
+    EXPECT_TRUE(f.answer.empty());
+}
+
+
+TEST(misfitDiagnosis, theStateThatIsNamedIsTold)
+{
+    worldSampler s(truth(0, 0.7), 200, vec());
+    const finding f(diagnose(s));
+    ASSERT_EQ(f.answer.size(), 1);
+    EXPECT_NEAR
+    (
+        f.answer[0].strengths[world::mechanism(0)], f.strengths[0].value, 0.05
+    );
+}
+
+
+TEST(misfitDiagnosis, aFailedResolutionStopsItAndAFailedPackingIsTold)
+{
+    settings set(worldSettings());
+    set.resolutions = {"mesh"};
+    worldSampler finer(truth(-1, 0), 100, vec());
+    finer.failFiner();
+    EXPECT_THROW(diagnose(finer, set), Foam::error);
+
+    set.resolutions.clear();
+    set.packings = 3;
+    set.common = 1;
+    worldSampler repeated(truth(-1, 0), 100, vec());
+    repeated.failRepeated();
+    EXPECT_THROW(diagnose(repeated, set), Foam::error);
+}
+
+
+TEST(misfitDiagnosis, withoutHeldOutDataItIsSaidThatNothingConfirmsIt)
+{
+    worldSampler s(truth(0, 0.7), 200, vec());
+    s.holdNothingOut();
+    const finding f(diagnose(s));
+    show(f);
+    EXPECT_EQ(f.verdict, "named");
+    EXPECT_NE(f.told.find("No held-out data"), std::string::npos) << f.told;
+
+    worldSampler with(truth(0, 0.7), 200, vec());
+    const finding confirmed(diagnose(with));
+    EXPECT_EQ(confirmed.told.find("No held-out data"), std::string::npos);
 }
 
 

@@ -408,6 +408,54 @@ TEST(misfitRecordings, heldOutDataListedTwiceIsRefused)
 }
 
 
+TEST(misfitRecordings, aPartOfHeldOutDataIsRefusedTwoPartsOfAFileAreNot)
+{
+    const auto parts = [](const std::string& first, const std::string& second)
+    {
+        return
+            "channels { S1 {" + pressure + "file \"a.csv\"; interval (" + first
+          + "); } S2 {" + pressure + "file \"a.csv\"; interval (" + second
+          + "); } } heldOut { gate (S2); }";
+    };
+    files f;
+    f.write("a.csv", "t_s,p_Pa\n0,1\n1,2\n2,4\n3,5\n4,6\n5,6\n");
+    IStringStream apart(parts("0 2.5", "2.5 5"));
+    EXPECT_NO_THROW(recordings(dictionary(apart), f.folder()));
+    IStringStream overlapping(parts("0 2.5", "1.5 5"));
+    try
+    {
+        recordings(dictionary(overlapping), f.folder());
+        FAIL();
+    }
+    catch (const Foam::error& e)
+    {
+        expectSays(e.message(), "have some of the same numbers");
+    }
+}
+
+
+TEST(misfitRecordings, whatIsHeldOutMustBeRecorded)
+{
+    expectSays
+    (
+        refusalOfAll
+        (
+            "channels { S1 {" + pressure + "file \"a.csv\"; } S2 {" + pressure
+          + "} } heldOut { gate (S2); }"
+        ),
+        "has no recording"
+    );
+    expectSays
+    (
+        refusalOfAll
+        (
+            twoChannels + "experiments { A { } B { use gate; } }"
+        ),
+        "experiment B has no recorded channel"
+    );
+}
+
+
 TEST(misfitRecordings, aCopyOfHeldOutDataIsRefused)
 {
     files f;

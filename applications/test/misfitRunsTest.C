@@ -289,6 +289,65 @@ TEST(misfitRuns, aCrashIsKeptWithItsReason)
 }
 
 
+TEST(misfitRuns, aRunThatCannotBeReadHasFailedUnlessItIsTheBase)
+{
+    const fakeCase c;
+    c.write
+    (
+        "system/solver",
+        "slope=$(sed -n 's/.*slope  *\\([0-9.]*\\);.*/\\1/p' constant/model)\n"
+        "mkdir -p postProcessing/out/0\n"
+        "[ $slope = 2 ] && y=y || y=z\n"
+        "printf \"# Time $y\n0 1\n1 1\n2 1\n\" > postProcessing/out/0/out.dat\n"
+    );
+    const auto p(once(c, {withSlope(2), withSlope(3)}));
+    EXPECT_TRUE(p[0].ok());
+    EXPECT_NE(p[1].failure.find("no column"), std::string::npos) << p[1].failure;
+}
+
+
+TEST(misfitRuns, aMeshThatTheCommandsDoNotMakeIsPartOfTheRun)
+{
+    const fakeCase c;
+    mkDir(c.folder()/"constant/polyMesh");
+    const auto runsWith = [&c](const std::string& program)
+    {
+        const label before = c.count();
+        OStringStream os;
+        c.dict().write(os, false);
+        std::string text(os.str());
+        text.replace(text.find("\"true\""), 6, "\"true " + program + "\"");
+        IStringStream is(text);
+        const dictionary dict(is);
+        const recordings r(dict, c.folder());
+        solverPredictor(r, c.folder(), dict).predict({withSlope(2)});
+        return c.count() - before;
+    };
+    c.write("constant/polyMesh/points", "1");
+    runsWith("checkMesh");
+    runsWith("blockMesh");
+    c.write("constant/polyMesh/points", "2");
+    EXPECT_EQ(runsWith("checkMesh"), 1);
+    EXPECT_EQ(runsWith("blockMesh"), 0);
+}
+
+
+TEST(misfitRuns, theCaseOfAStateIsMadeForAPerson)
+{
+    const fakeCase c;
+    fakePredictor predict(c);
+    const fileName target(c.folder()/"misfit/corrected");
+    mkDir(target);
+    c.write("misfit/corrected/old", "");
+    predict.predict.makeCase(withSlope(3, 0.5), target);
+    const std::string model(content(target/"constant/model"));
+    EXPECT_NE(model.find("strength        0.5;"), std::string::npos) << model;
+    EXPECT_TRUE(isFile(target/"0/U"));
+    EXPECT_FALSE(isFile(target/"old"));
+    EXPECT_EQ(c.count(), 0);
+}
+
+
 TEST(misfitRuns, aRunBeyondItsTimeHasFailed)
 {
     const fakeCase c;

@@ -316,6 +316,28 @@ TEST(misfitFit, withAPriorItIsTheClosedForm)
 }
 
 
+TEST(misfitFit, variancesHaveAnyUnitsAndAFlatDirectionIsNotKnown)
+{
+    // A viscosity beside a density: the data say nothing of either
+    line l(threePoints());
+    l.a.setZero();
+    l.priorMean.setZero();
+    l.priorDeviation << 1e-8, 2;
+    const whitener white(mat::Identity(3, 3));
+    const vec y = vec::Zero(3);
+    const fitted both(fit(l, y, white));
+    EXPECT_NEAR(both.deviation(0), 1e-8, 1e-12);
+    EXPECT_NEAR(both.deviation(1), 2, 1e-6);
+
+    // Only their sum is known
+    l.a.setOnes();
+    l.priorDeviation.setZero();
+    const fitted sum(fit(l, y, white));
+    EXPECT_GT(sum.deviation(0), 1e3);
+    EXPECT_GT(sum.deviation(1), 1e3);
+}
+
+
 TEST(misfitFit, aBoundHoldsAndIsTold)
 {
     line l(threePoints());

@@ -55,6 +55,10 @@ void tellFinding(const finding& f, const fileName& folder)
     {
         Info<< "    " << place.c_str() << nl;
     }
+    if (f.answer.size())
+    {
+        Info<< nl << "The case with it: " << (folder/correctedCase).c_str();
+    }
     Info<< nl << "To read: " << (folder/"report.html").c_str() << nl
         << "The record: " << (folder/"verdict.json").c_str() << endl;
 }
@@ -87,6 +91,10 @@ int main(int argc, char* argv[])
         // Not the answer of an earlier time while this one is not finished
         rm(folder/"verdict.json");
         rm(folder/"report.html");
+        if (isDir(folder/correctedCase))
+        {
+            rmDir(folder/correctedCase);
+        }
     }
 
     const word dictName("misfitDict");
@@ -107,6 +115,10 @@ int main(int argc, char* argv[])
     }
 
     const finding& found = diagnose();
+    if (found.answer.size())
+    {
+        solver.makeCase(found.answer.first(), folder/correctedCase);
+    }
     writeReport(found, folder, runTime.path().name());
     tellFinding(found, folder);
     return 0;

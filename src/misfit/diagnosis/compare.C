@@ -62,6 +62,17 @@ void Foam::misfit::diagnosis::advise(const List<weighed>& rivals)
         return;
     }
 
+    for (const computed& c : two)
+    {
+        if (!c.given.possible.size() && sampler_.data().first().possible.size())
+        {
+            found_.advice =
+                "Which measurement would settle it was not weighed, since "
+              + c.explanation + " was not run in the solver (refit in decision)";
+            return;
+        }
+    }
+
     const vec& a = two[0].given.possible;
     const vec& b = two[1].given.possible;
     const stacked& possible = sampler_.data().first().possible;

@@ -165,6 +165,37 @@ void Foam::misfit::diagnosis::checkBases()
 }
 
 
+void Foam::misfit::diagnosis::leaveOut(const runState& s, const string& why)
+{
+    found_.failedRuns.append(told(s) + ": " + why);
+    Info<< "    left out: " << found_.failedRuns.last().c_str() << endl;
+}
+
+
+void Foam::misfit::diagnosis::findNever
+(
+    const List<vec>& design,
+    const stringList& failures
+)
+{
+    forAll(settings_.candidates, m)
+    {
+        label asked = 0;
+        label ran = 0;
+        forAll(design, i)
+        {
+            const bool on = design[i][bounds_.nParameters + m] > 0;
+            asked += on;
+            ran += on && failures[i].empty();
+        }
+        if (asked && !ran)
+        {
+            never_.append(m);
+        }
+    }
+}
+
+
 void Foam::misfit::diagnosis::uncertainty()
 {
     Info<< "S0 uncertainty" << endl;
@@ -185,9 +216,19 @@ void Foam::misfit::diagnosis::uncertainty()
     mat gate(gate_->size(), 0);
     forAll(given, i)
     {
-        if (!given[i].ok())
+        if (!given[i].ok() && i >= settings_.packings)
         {
-            Info<< "    left out: " << given[i].failure.c_str() << endl;
+            const word& name = states[i].resolution;
+            FatalErrorInFunction
+                << "The run with other " << name << " failed: "
+                << given[i].failure.c_str() << nl << "Without it what numerics"
+                << " change would be taken for physics. Mend resolution/" << name
+                << " in system/misfitDict, or take it out. Finished runs are"
+                << " kept" << exit(FatalError);
+        }
+        else if (!given[i].ok())
+        {
+            leaveOut(states[i], given[i].failure);
         }
         else if (i < settings_.packings)
         {
@@ -202,6 +243,14 @@ void Foam::misfit::diagnosis::uncertainty()
             fit_->addDifference(given[i].fit - given.first().fit);
             gate_->addDifference(given[i].gate - given.first().gate);
         }
+    }
+    if (settings_.packings > 1 && fit.cols() < 2)
+    {
+        FatalErrorInFunction
+            << "Of " << settings_.packings << " packings only " << label(fit.cols())
+            << " ran, so nothing is known of the spread between them: mend what"
+            << " 'packing' changes in system/misfitDict. Finished runs are kept"
+            << exit(FatalError);
     }
     checkPackings(fit, gate);
     fit_->addRepeats(fit, settings_.common);
@@ -251,10 +300,10 @@ void Foam::misfit::diagnosis::calibrationRuns()
     {
         if (failures[i].size())
         {
-            Info<< "    left out: " << told(state(design[i])).c_str() << ": "
-                << failures[i].c_str() << endl;
+            leaveOut(state(design[i]), failures[i]);
         }
     }
+    findNever(design, failures);
     build();
 }
 
@@ -390,6 +439,16 @@ Foam::misfit::diagnosis::diagnosis(sampler& s, const settings& set)
 {
     setBounds();
     found_.library = mechanismNames();
+    for (const segment& s : data().fit.segments)
+    {
+        if (!s.overTime && !s.isNumber() && set.trigger > 0)
+        {
+            WarningInFunction
+                << "trigger is not counted in " << s.name.c_str() << ", which is no"
+                << " series over time: put what the clock's error moves it by into"
+                << " its uncertainty" << endl;
+        }
+    }
     fit_.reset(new sampledModel(data().fit, bounds_, set.trigger));
     gate_.reset(new sampledModel(data().gate, bounds_, set.trigger));
 }

@@ -111,6 +111,21 @@ Foam::misfit::gate Foam::misfit::diagnosis::evidenceGate() const
 }
 
 
+Foam::misfit::gate Foam::misfit::diagnosis::computedGate() const
+{
+    const bool computed = findComputed(best());
+    return
+    {
+        "computed",
+        "The best explanation was run in the solver as it was fitted",
+        computed ? "yes" : "no: the solver failed",
+        "yes",
+        !best().what.isOnlyUnknown() && !best().what.isNone(),
+        computed
+    };
+}
+
+
 Foam::misfit::gate Foam::misfit::diagnosis::gapGate() const
 {
     // One that has more on than the best, or less, says nothing else
@@ -170,8 +185,12 @@ Foam::misfit::gate Foam::misfit::diagnosis::heldOutGate
     const scalar rest = max(h.squareBefore - 1, 0.0);
     const scalar limit = max
     (
-        1 + rest*(!physics ? 1.1 : best().what.unknown ? 0.5 : 1), 1.5
+        1 + rest*(!physics ? 1.1 : best().what.unknown ? 0.5 : 1), beyondChance
     );
+    const bool holds = h.squareAfter < limit;
+
+    // Where nothing was wrong before, what stays so confirms nothing
+    const bool nothingToAsk = h.squareBefore < beyondChance && holds;
     return
     {
         name,
@@ -179,8 +198,8 @@ Foam::misfit::gate Foam::misfit::diagnosis::heldOutGate
       + number(h.squareBefore) + "), which was not used to find it",
         number(h.squareAfter),
         "below " + number(limit),
-        !best().what.isOnlyUnknown() && !best().what.isNone(),
-        h.squareAfter < limit
+        !best().what.isOnlyUnknown() && !best().what.isNone() && !nothingToAsk,
+        holds
     };
 }
 
@@ -285,7 +304,9 @@ Foam::misfit::gate Foam::misfit::diagnosis::placeboGate() const
     // An effect that lasts is much the same at another time: no placebo then
     const vec effect = best().best.f - base;
     const whitener white(baseline().covariance);
-    if (likeness(white(effect), white(halfRoundLater(data, effect))) < 0.7)
+    const bool canMove =
+        likeness(white(effect), white(halfRoundLater(data, effect))) < 0.7;
+    if (canMove)
     {
         copy->record(base + halfRoundLater(data, vec(y - base)));
         placebo = max(placebo, gain(*copy, best().what, tolerance));
@@ -294,8 +315,9 @@ Foam::misfit::gate Foam::misfit::diagnosis::placeboGate() const
     return
     {
         "placebo",
-        "Gain where the misfit has the wrong sign or is moved in time (really "
-      + number(real) + ", which must be " + number(settings_.evidence)
+        string("Gain where the misfit has the wrong sign")
+      + (canMove ? " or is moved in time" : ", not moved in time as the effect lasts")
+      + " (really " + number(real) + ", which must be " + number(settings_.evidence)
       + " or more)",
         number(placebo),
         "below " + number(limit),
@@ -379,6 +401,10 @@ void Foam::misfit::diagnosis::addHeldOut()
             {
                 known.addDifference(given[k].gate - given[2].gate);
             }
+            else if (!given[k].ok())
+            {
+                leaveOut(states[k], given[k].failure);
+            }
         }
         if (given[0].ok() && given[1].ok())
         {
@@ -424,6 +450,7 @@ void Foam::misfit::diagnosis::askGates()
         return;
     }
     found_.gates.append(evidenceGate());
+    found_.gates.append(computedGate());
     found_.gates.append(gapGate());
     found_.gates.append(adequacyGate());
     addHeldOut();

@@ -11,12 +11,6 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
-const wordList featureNames
-({
-    "arrival", "peak", "rise", "decay", "plateau"
-});
-
-
 //- Place where a rising or falling series passes a level, between samples
 scalar passage(const vec& x, const vec& v, label i, const label step, scalar level)
 {
@@ -32,8 +26,8 @@ scalar passage(const vec& x, const vec& v, label i, const label step, scalar lev
 }
 
 
-//- Arrival (a fifth of the rise), peak, time of the rise, time of the decay to
-//  half, and mean of the last tenth
+//- The numbers of featureNames: arrival (a fifth of the rise), peak, time of the
+//  rise, time of the decay to half, and mean of the last tenth
 vec features(const segment& s, const vec& all)
 {
     const vec v = s.of(all).array() - all[s.first];
@@ -135,7 +129,11 @@ void Foam::misfit::diagnosis::screen(const weighed& base)
             }
         }
         string why;
-        if (opposite && !asExpected)
+        if (never_.found(i))
+        {
+            why = "the solver failed in each run with it";
+        }
+        else if (opposite && !asExpected)
         {
             why = "the recording differs the other way in what it changes";
         }

@@ -78,6 +78,23 @@ Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
     decision.readIfPresent("temperature", s.temperature);
     decision.readIfPresent("ceiling", s.ceiling);
 
+    const bool isShare =
+        s.significance > 0 && s.significance < 1
+     && s.adequacy > 0 && s.adequacy < 1 && s.ceiling > 0 && s.ceiling <= 1;
+    if (!isShare || s.refit < 1 || s.passes < 1)
+    {
+        FatalIOErrorInFunction(decision)
+            << "significance, adequacy and ceiling are shares between 0 and 1,"
+            << " refit and passes 1 or more" << exit(FatalIOError);
+    }
+    const label terms = 1 + 2*(s.parameters.size() + s.candidates.size());
+    if (s.bank && s.bank < terms)
+    {
+        FatalIOErrorInFunction(dict)
+            << "bank is " << s.bank << ": a bank for " << s.parameters.size()
+            << " parameters and " << s.candidates.size() << " candidates needs "
+            << terms << " runs, better twice as many" << exit(FatalIOError);
+    }
     if (s.packings < 1 || s.common < 1 || s.draws < 100 || s.temperature <= 0)
     {
         FatalIOErrorInFunction(dict)

@@ -109,6 +109,8 @@ void Foam::misfit::unknownPath::holdOut
         const samples after(sampler_(List<runState>(1, s)).first());
         found_.nRuns += 2;
 
+        // Where the solver fails nothing is confirmed
+        asked += gates && recorded.size();
         if (before.ok() && after.ok())
         {
             add
@@ -121,8 +123,10 @@ void Foam::misfit::unknownPath::holdOut
             if (gates && recorded.size())
             {
                 const heldOut& h = found_.held.last();
-                ++asked;
-                held += h.squareAfter < max(0.5*(h.squareBefore + 1), 1.5);
+                held += h.squareAfter < max
+                (
+                    0.5*(h.squareBefore + 1), beyondChance
+                );
             }
         }
     }

@@ -192,8 +192,21 @@ void Foam::misfit::diagnosis::weaken()
 bool Foam::misfit::diagnosis::answers() const
 {
     return
-        passed("adequacy") && passed("heldOut") && passed("transfer")
-     && passed("placebo");
+        passed("computed") && passed("adequacy") && passed("heldOut")
+     && passed("transfer") && passed("placebo");
+}
+
+
+bool Foam::misfit::diagnosis::wasTried() const
+{
+    for (const gate& g : found_.gates)
+    {
+        if ((g.name == "heldOut" || g.name == "transfer") && g.applies)
+        {
+            return true;
+        }
+    }
+    return false;
 }
 
 
@@ -232,6 +245,10 @@ void Foam::misfit::diagnosis::decide()
 
     const bool changed = found_.verdict != "none" && found_.verdict != "unknown";
     found_.after = changed ? best().best.f : found_.before;
+    if (found_.verdict == "named")
+    {
+        found_.answer.append(state(lookUp(best()).variables));
+    }
     forAll(best().what.mechanisms, i)
     {
         const label k = bounds_.nParameters + i;
@@ -370,6 +387,10 @@ void Foam::misfit::diagnosis::describe()
         }
         os << (rest ? ". There is more to it, which these channels do not settle."
             : ".");
+        if (!wasTried())
+        {
+            os << " No held-out data with a misfit confirm it.";
+        }
     }
     found_.told = os.str();
 }

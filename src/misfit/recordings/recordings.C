@@ -84,16 +84,23 @@ void Foam::misfit::recordings::checkOnce(const dictionary& dict) const
         for (label j = 0; j < i; ++j)
         {
             const channel& b = channels_[j];
-            if
-            (
-                a.isRecorded() && b.isRecorded() && a.recorded().x.size() > 1
-             && a.recorded().x == b.recorded().x
-             && a.recorded().y == b.recorded().y
-            )
+            if (!a.isRecorded() || !b.isRecorded() || a.recorded().x.size() < 2)
+            {
+                continue;
+            }
+            const bool overlap =
+                a.source() == b.source() && a.experiment() == b.experiment()
+             && a.recorded().x.first() <= b.recorded().x.last()
+             && b.recorded().x.first() <= a.recorded().x.last();
+            const bool equal =
+                a.recorded().x == b.recorded().x
+             && a.recorded().y == b.recorded().y;
+            if (equal || overlap)
             {
                 FatalIOErrorInFunction(dict)
                     << "The channels " << b.name() << " and " << a.name()
-                    << " are the same numbers, " << b.source().c_str()
+                    << (equal ? " are" : " have some of") << " the same numbers, "
+                    << b.source().c_str()
                     << " and " << a.source().c_str()
                     << ". What is held out must not be seen elsewhere: remove"
                     << " one" << exit(FatalIOError);
@@ -187,12 +194,44 @@ Foam::labelList Foam::misfit::recordings::select
 }
 
 
+void Foam::misfit::recordings::checkHeldOut(const dictionary& dict) const
+{
+    for (const word& e : experiments_)
+    {
+        bool recorded = false;
+        for (const channel& c : channels_)
+        {
+            recorded = recorded || (c.experiment() == e && c.isRecorded());
+            if
+            (
+                c.experiment() == e && use(e) == purpose::fit
+             && c.use() != purpose::fit && !c.isRecorded()
+            )
+            {
+                FatalIOErrorInFunction(dict)
+                    << "heldOut names " << c.name() << ", which has no recording."
+                    << " Give it a file, or take it out of heldOut"
+                    << exit(FatalIOError);
+            }
+        }
+        if (!recorded && use(e) != purpose::fit)
+        {
+            FatalIOErrorInFunction(dict)
+                << "The experiment " << e << " has no recorded channel, so it can"
+                << " confirm nothing. Give it one, or take it out"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
 void Foam::misfit::recordings::checkEnough
 (
     const dictionary& dict,
     const label unknowns
 ) const
 {
+    checkHeldOut(dict);
     label samples = 0;
     for (const channel& c : channels_)
     {

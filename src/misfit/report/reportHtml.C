@@ -106,10 +106,10 @@ std::string channels(const heldOut& h)
 std::string gone(const heldOut& h)
 {
     // A mean square of 1 is chance
-    if (h.squareBefore < 1.5)
+    if (h.squareBefore < beyondChance)
     {
         return
-            h.squareAfter < 1.5
+            h.squareAfter < beyondChance
           ? "there was no misfit beyond chance: it neither confirms nor denies"
           : "a misfit comes that was not there";
     }
@@ -141,6 +141,12 @@ std::string verdict(const finding& f)
               + shortNumber(h.squareAfter) + ").";
         }
     }
+    if (f.answer.size())
+    {
+        text +=
+            "<br>The case with it switched on, ready to run: <code>misfit/"
+          + std::string(correctedCase) + "</code>.";
+    }
     return text + "</div>\n";
 }
 
@@ -152,7 +158,12 @@ std::string where(const finding& f)
     {
         return text + "<p>Nowhere beyond what is uncertain.</p>\n";
     }
-    text += "<p>Calibrated simulation against recording, the clearest first:"
+    // Where mechanisms are named, what they change counts too
+    text +=
+        f.strengths.size() && !f.explanations.first().what.unknown
+      ? "<p>Where what was found acts, the clearest first; the sizes are those of"
+        " the calibrated simulation against the recording:</p>\n<ol>\n"
+      : "<p>Calibrated simulation against recording, the clearest first:"
         "</p>\n<ol>\n";
     forAll(f.located, i)
     {
@@ -165,10 +176,19 @@ std::string where(const finding& f)
 }
 
 
+//- What is at its bound has no deviation
+std::string within(const scalar value, const scalar deviation, const bool pinned)
+{
+    return
+        shortNumber(value)
+      + (pinned ? " (bound)" : " +- " + shortNumber(deviation));
+}
+
+
 std::string calibration(const finding& f)
 {
     std::vector<row> rows;
-    const bool changed = f.names.size();
+    const bool changed = f.names.size() && !f.correction.named;
     const fitted& with = f.explanations.first().best;
     forAll(f.parameters, i)
     {
@@ -177,10 +197,10 @@ std::string calibration(const finding& f)
         ({
             p.name,
             shortNumber(p.before) + " +- " + shortNumber(p.prior),
-            shortNumber(p.value) + " +- " + shortNumber(p.deviation),
+            within(p.value, p.deviation, p.pinned),
             p.pinned ? "at its bound: the base model strains" : "",
             changed
-          ? shortNumber(with.x[i]) + " +- " + shortNumber(with.deviation(i))
+          ? within(with.x[i], with.deviation(i), with.pinned[i])
           : ""
         });
     }
@@ -193,8 +213,8 @@ std::string calibration(const finding& f)
           : table
             (
                 {
-                    "parameter", "expected", "fitted by itself", "",
-                    "fitted with what was found"
+                    "parameter (+- one standard deviation)", "expected",
+                    "fitted by itself", "", "fitted with what was found"
                 },
                 rows
             ));
@@ -331,6 +351,17 @@ std::string freeCorrection(const correctionFound& c)
 std::string rest(const finding& f)
 {
     std::string text;
+    if (f.failedRuns.size())
+    {
+        std::vector<row> rows;
+        for (const string& run : f.failedRuns)
+        {
+            rows.push_back({run});
+        }
+        text +=
+            "<h2>Runs that failed</h2>\n<p>They are not in what is uncertain, or in"
+            " the effect of a parameter.</p>\n" + table({"run, and why"}, rows);
+    }
     if (f.dropped.size())
     {
         std::vector<row> rows;

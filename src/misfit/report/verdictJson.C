@@ -41,6 +41,13 @@ json numbers(const vec& v)
 }
 
 
+//- What is at its bound has none
+json deviation(const scalar value, const bool pinned)
+{
+    return pinned ? json(nullptr) : json(value);
+}
+
+
 json gates(const finding& f)
 {
     json all = json::array();
@@ -72,13 +79,14 @@ json parameters(const finding& f)
             {"before", p.before},
             {"priorDeviation", p.prior},
             {"value", p.value},
-            {"deviation", p.deviation},
+            {"deviation", deviation(p.deviation, p.pinned)},
             {"atBound", p.pinned}
         });
-        if (f.names.size())
+        if (f.names.size() && !f.correction.named)
         {
             all.back()["valueWithFinding"] = with.x[i];
-            all.back()["deviationWithFinding"] = with.deviation(i);
+            all.back()["deviationWithFinding"] =
+                deviation(with.deviation(i), with.pinned[i]);
         }
     }
     return all;
@@ -112,7 +120,7 @@ json strengths(const finding& f)
         ({
             {"name", s.name},
             {"value", s.value},
-            {"deviation", s.deviation},
+            {"deviation", deviation(s.deviation, s.pinned)},
             {"atBound", s.pinned}
         });
     }
@@ -220,6 +228,17 @@ json posterior(const finding& f)
 }
 
 
+json failedRuns(const finding& f)
+{
+    json all = json::array();
+    for (const string& run : f.failedRuns)
+    {
+        all.push_back(run);
+    }
+    return all;
+}
+
+
 json dropped(const finding& f)
 {
     json all = json::array();
@@ -287,6 +306,8 @@ std::string Foam::misfit::verdictJson(const finding& f, const string& title)
         {"freeCorrection", freeCorrection(f.correction)},
         {"posterior", posterior(f)},
         {"dropped", dropped(f)},
+        {"failedRuns", failedRuns(f)},
+        {"correctedCase", f.answer.size() ? json(correctedCase) : json(nullptr)},
         {"apart", apart(f)},
         {"advice", f.advice},
         {"statesAskedFor", f.nRuns}

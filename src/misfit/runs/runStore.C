@@ -118,18 +118,18 @@ Foam::fileNameList Foam::misfit::runStore::files() const
 
 Foam::string Foam::misfit::runStore::hashTemplate() const
 {
-    // A mesh that the commands make anew is not what the run is made of
+    // A mesh that blockMesh makes anew is not what the run is made of
     bool meshIsMade = false;
     for (const string& c : commands_)
     {
-        meshIsMade = meshIsMade || c.find("Mesh") != string::npos;
+        meshIsMade = meshIsMade || c.find("blockMesh") != string::npos;
     }
 
     string all;
     for (const fileName& f : files())
     {
         const bool ofMesh = f.find("/polyMesh/") != string::npos;
-        if (f.name() != "misfitDict" && !(ofMesh && meshIsMade))
+        if (f.name() != dictName_.name() && !(ofMesh && meshIsMade))
         {
             all += f.substr(template_.size()) + digest(contentOf(f)) + '\n';
         }
@@ -197,13 +197,7 @@ void Foam::misfit::runStore::prepare
     {
         rmDir(target);
     }
-    mkDir(target/"case");
-
-    for (const fileName& part : parts())
-    {
-        cp(template_/part, target/"case"/inCase(part));
-    }
-    run.change(target/"case");
+    makeCase(target/"case", run);
 
     OFstream(target/"about").stdStream() << run.told << '\n';
     OFstream os(target/"commands");
@@ -369,6 +363,26 @@ void Foam::misfit::runStore::rehearse(const List<wantedRun>& runs) const
         wrong.replaceAll(here, template_);
         FatalErrorInFunction << wrong.c_str() << exit(FatalError);
     }
+}
+
+
+void Foam::misfit::runStore::makeCase
+(
+    const fileName& target,
+    const wantedRun& run
+) const
+{
+    if (isDir(target))
+    {
+        rmDir(target);
+    }
+    mkDir(target);
+
+    for (const fileName& part : parts())
+    {
+        cp(template_/part, target/inCase(part));
+    }
+    run.change(target);
 }
 
 

@@ -150,6 +150,53 @@ Foam::misfit::solverPredictor::wanted(const runState& state) const
 }
 
 
+bool Foam::misfit::solverPredictor::isBase(const runState& state) const
+{
+    bool atMean = true;
+    for (const parameter& p : parameters_)
+    {
+        atMean = atMean && state.parameters.lookup(p.name, p.mean) == p.mean;
+    }
+    forAllConstIters(state.strengths, strength)
+    {
+        atMean = atMean && *strength == 0;
+    }
+    return atMean && !state.packing && state.resolution == "base";
+}
+
+
+void Foam::misfit::solverPredictor::readChannel
+(
+    const observer& o,
+    const fileName& caseFolder,
+    const bool mustBeThere,
+    prediction& p,
+    const label i
+) const
+{
+    if (mustBeThere)
+    {
+        p.channels[i] = o.read(caseFolder);
+        p.failure = fault(o.of(), p.channels[i]);
+        return;
+    }
+
+    const bool threw = FatalError.throwExceptions();
+    const bool threwIO = FatalIOError.throwExceptions();
+    try
+    {
+        p.channels[i] = o.read(caseFolder);
+        p.failure = fault(o.of(), p.channels[i]);
+    }
+    catch (const Foam::error& e)
+    {
+        p.failure = e.message();
+    }
+    FatalError.throwExceptions(threw);
+    FatalIOError.throwExceptions(threwIO);
+}
+
+
 Foam::misfit::prediction Foam::misfit::solverPredictor::read
 (
     const runState& state,
@@ -164,8 +211,7 @@ Foam::misfit::prediction Foam::misfit::solverPredictor::read
         const observer& o = observers_[i];
         if (p.ok() && o.of().experiment() == state.experiment)
         {
-            p.channels[i] = o.read(store_.caseOf(run));
-            p.failure = fault(o.of(), p.channels[i]);
+            readChannel(o, store_.caseOf(run), isBase(state), p, i);
         }
     }
     if (p.ok() && state.noting)
@@ -250,6 +296,16 @@ Foam::misfit::solverPredictor::predict(const List<runState>& states)
         }
     }
     return found;
+}
+
+
+void Foam::misfit::solverPredictor::makeCase
+(
+    const runState& state,
+    const fileName& target
+)
+{
+    store_.makeCase(target, wanted(state));
 }
 
 

@@ -4,6 +4,7 @@
 
 #include "unknowns.H"
 #include "keywords.H"
+#include "FlatOutput.H"
 
 namespace
 {
@@ -43,6 +44,12 @@ List<misfit::expectedSign> signsOf(const dictionary& dict)
                     << "A sign is (quantity feature up|down), for instance"
                     << " (pressure peak up); this is " << s
                     << exit(FatalIOError);
+            }
+            if (!misfit::featureNames.found(s[1]))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "The feature " << s[1] << " of a sign is not known. Valid: "
+                    << flatOutput(misfit::featureNames) << exit(FatalIOError);
             }
             signs.append({s[0], s[1], s[2] == "up" ? 1.0 : -1.0});
         }

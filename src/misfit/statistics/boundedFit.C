@@ -3,6 +3,8 @@
 
 #include "boundedFit.H"
 
+#include <cmath>
+
 namespace
 {
 
@@ -47,6 +49,26 @@ mat curvature(const mat& slopes, const vec& prior)
 }
 
 
+//- Inverse of a curvature, whose variables may have any units. Where it is flat
+//  nothing is known: a variance as large as numbers can tell
+mat inverted(const mat& curved)
+{
+    const vec scale = curved.diagonal().unaryExpr
+    (
+        [](const scalar d) { return d > 0 ? 1/std::sqrt(d) : 1.0; }
+    );
+    const mat scaled = scale.asDiagonal()*curved*scale.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<mat> solver(scaled);
+    const scalar least =
+        curved.rows()*SMALL*max(solver.eigenvalues().maxCoeff(), SMALL);
+    const vec weights = solver.eigenvalues().cwiseMax(least).cwiseInverse();
+    const mat inverse =
+        solver.eigenvectors()*weights.asDiagonal()
+       *solver.eigenvectors().transpose();
+    return scale.asDiagonal()*inverse*scale.asDiagonal();
+}
+
+
 //- Sets covariance and pinned
 void findCovariance
 (
@@ -85,7 +107,7 @@ void findCovariance
             some(i, j) = all(open[i], open[j]);
         }
     }
-    const mat inverse = some.completeOrthogonalDecomposition().pseudoInverse();
+    const mat inverse = inverted(some);
     forAll(open, i)
     {
         forAll(open, j)
