@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 using namespace Foam;
 
 namespace
@@ -168,6 +170,11 @@ TEST(leakyWall, letsOutWhatThePressureDrives)
 {
     halfFull w;
     const fvMesh& mesh = w.box.mesh();
+    mkDir(mesh.time().constantPath());
+    std::ofstream(mesh.time().constantPath()/"g")
+        << "FoamFile { version 2.0; format ascii;"
+        " class uniformDimensionedVectorField; object g; }\n"
+        "dimensions [0 1 -2 0 0 0 0]; value (0 0 -9.81);\n";
     const label base = 4;
     const string settings
     (
@@ -212,4 +219,14 @@ TEST(leakyWall, letsOutWhatThePressureDrives)
         entries(settings + "strength 0;")
     );
     EXPECT_EQ(tight.outflow(1e5), 0);
+
+    EXPECT_THROW
+    (
+        leakyWallFvPatchVectorField
+        (
+            mesh.boundary()[base], U.internalField(),
+            entries(settings + "strenght 0;")
+        ),
+        Foam::error
+    );
 }

@@ -87,6 +87,34 @@ namespace
 }
 
 
+//- Density of the liquid of a field alpha.<phase> [kg/m3]: that of the solver
+scalar readDensity
+(
+    const fvMesh& mesh,
+    const dictionary& settings,
+    const word& field
+)
+{
+    const word phase(field.substr(field.find('.') + 1));
+    const scalar density = dimensionedScalar
+    (
+        "rho",
+        dimDensity,
+        caseDictionary(mesh, "constant", "transportProperties").subDict(phase)
+    ).value();
+    const scalar given = settings.lookupOrDefault<scalar>("density", density);
+
+    if (mag(given - density) > 1e-6*density)
+    {
+        FatalIOErrorInFunction(settings)
+            << "density is " << given << " kg/m3 here and that of " << phase
+            << " in constant/transportProperties " << density
+            << ". Take it out here" << exit(FatalIOError);
+    }
+    return density;
+}
+
+
 int main(int argc, char *argv[])
 {
     argList::addNote
@@ -122,13 +150,14 @@ int main(int argc, char *argv[])
 
     const boundBox box(packing.get<point>("min"), packing.get<point>("max"));
     const scalar mass = packing.get<scalar>("fluidMass");
-    const scalar density = settings.lookupOrDefault<scalar>("density", 1000);
+    const word field(settings.lookupOrDefault<word>("field", "alpha.water"));
+    const scalar density = readDensity(mesh, settings, field);
 
     volScalarField alpha
     (
         IOobject
         (
-            settings.lookupOrDefault<word>("field", "alpha.water"),
+            field,
             runTime.timeName(),
             mesh,
             IOobject::MUST_READ,

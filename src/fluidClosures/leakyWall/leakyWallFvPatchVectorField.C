@@ -5,6 +5,8 @@
 
 #include "addToRunTimeSelectionTable.H"
 #include "fvPatchFieldMapper.H"
+#include "gravityMeshObject.H"
+#include "keywords.H"
 #include "volFields.H"
 
 namespace Foam
@@ -39,6 +41,10 @@ Foam::leakyWallFvPatchVectorField::leakyWallFvPatchVectorField
     strength_(dict.lookupOrDefault<scalar>("strength", 1)),
     looked_(-1)
 {
+    keywords::check
+    (
+        dict, {"type", "conductance", "outside", "strength", "value"}
+    );
     if (!(conductance_ >= 0 && strength_ >= 0))
     {
         FatalIOErrorInFunction(dict)
@@ -97,11 +103,16 @@ void Foam::leakyWallFvPatchVectorField::follow(const scalarField& p)
     }
 
     scalarField normal(*this & patch().nf());
-    const scalar dt = db().time().deltaTValue();
+    const scalar fall =
+        mag(meshObjects::gravity::New(db().time()).value())
+       *db().time().deltaTValue();
     forAll(normal, face)
     {
         const scalar q = outflow(p[face]);
-        const scalar share = 0.5/(1 + q/(9.81*dt));
+
+        // Pressure follows the outflow: half of the way, and less where the flow
+        // is faster than what falls in a step, or they swing
+        const scalar share = 0.5/(1 + q/fall);
         normal[face] += share*(q/pores[face] - normal[face]);
     }
     fvPatchVectorField::operator=(normal*patch().nf());

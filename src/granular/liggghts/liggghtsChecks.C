@@ -278,6 +278,17 @@ void Foam::liggghtsChecks::noOwnFixes
                 << nl << "    Grains and water take it from constant/g: take"
                 << " the fix out." << exit(FatalError);
         }
+
+        // LIGGGHTS goes through its fixes in their order, and gravity, walls and
+        // water come behind those of the script
+        if (!std::strcmp(modify.fix[i]->style, "freeze"))
+        {
+            FatalErrorInFunction
+                << script << " freezes grains (fix " << modify.fix[i]->id << "),"
+                << " which does not hold them: gravity and water act behind it."
+                << nl << "    Take the fix out, and the grains out of the group"
+                << " that fix nve/sphere moves." << exit(FatalError);
+        }
     }
 }
 

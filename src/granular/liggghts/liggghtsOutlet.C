@@ -14,8 +14,13 @@ Foam::List<Foam::liggghtsPhase::opening> Foam::liggghtsPhase::openings() const
 {
     DynamicList<opening> result;
 
-    for (const polyPatch& patch : mesh_.boundaryMesh())
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+
+    // Those behind are cuts between ranks, other ones on each
+    for (label i = 0; i < patches.nNonProcessor(); ++i)
     {
+        const polyPatch& patch = patches[i];
+
         if (outflow_.match(patch.name()))
         {
             const vectorField areas(patch.faceAreas());
@@ -25,6 +30,16 @@ Foam::List<Foam::liggghtsPhase::opening> Foam::liggghtsPhase::openings() const
             if (area > 0)
             {
                 const vector outwards(gSum(areas));
+
+                if (mag(outwards) < 0.9*area)
+                {
+                    FatalErrorInFunction
+                        << "Patch " << patch.name() << " of LIGGGHTS/outflow"
+                        << " is not flat, or has several sides: grains leave"
+                        << " across one plane." << nl
+                        << "    Give each side a patch of its own."
+                        << exit(FatalError);
+                }
 
                 result.append
                 (
@@ -96,17 +111,17 @@ bool Foam::liggghtsPhase::mayLeave(const point& p, const vector& U) const
 }
 
 
-bool Foam::liggghtsPhase::leftAsAllowed
+bool Foam::liggghtsPhase::cameToSide
 (
     const point& from,
-    const vector& velocity
+    const vector& velocity,
+    point& leavesAt
 ) const
 {
     // Through which side of LIGGGHTS's box it went, within twice the interval
     // since forces may have changed its velocity
     const LAMMPS_NS::Domain& domain = *liggghts_->domain;
     scalar soonest = 2*exchangeInterval();
-    point leavesAt(from);
     bool out = false;
 
     for (direction k = 0; k < 3; ++k)
@@ -129,22 +144,46 @@ bool Foam::liggghtsPhase::leftAsAllowed
         }
     }
 
-    // One that did not come to a side was taken away by a command of the case
-    return out ? mayLeave(leavesAt, velocity) : !openings_.empty();
+    return out;
 }
 
 
 void Foam::liggghtsPhase::checkLeft() const
 {
     label nWrong = 0;
+    label nInside = 0;
     rollCall::seen first;
+    rollCall::seen firstInside;
 
     for (const rollCall::seen& grain : before_.missing(id_))
     {
-        if (!leftAsAllowed(grain.second().first(), grain.second().second()))
+        const point& from = grain.second().first();
+        const vector& velocity = grain.second().second();
+        point leavesAt(from);
+        const bool out = cameToSide(from, velocity, leavesAt);
+
+        if (out ? !mayLeave(leavesAt, velocity) : openings_.empty())
         {
             first = nWrong++ ? first : grain;
         }
+        else if (!out)
+        {
+            firstInside = nInside++ ? firstInside : grain;
+        }
+    }
+
+    if (nInside && Pstream::master())
+    {
+        WarningInFunction
+            << nInside << " grains are gone by time "
+            << mesh_.time().timeName() << " s that were not about to reach a side"
+            << " of their box; they count as left." << nl
+            << "    The first is grain " << firstInside.first()
+            << ", one exchange interval before at "
+            << firstInside.second().first() << " m with velocity "
+            << firstInside.second().second() << " m/s." << nl
+            << "    A command of the case took them away, or a contact threw them"
+            << " out: then shorten the DEM step." << endl;
     }
 
     if (nWrong && Pstream::master())

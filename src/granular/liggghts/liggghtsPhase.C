@@ -74,8 +74,7 @@ Foam::liggghtsPhase::liggghtsPhase
     nInserted_(0),
     nEntered_(0),
     nLeft_(0),
-    movingGroups_(0),
-    frozenGroups_(0)
+    movingGroups_(0)
 {
     Info<< "Grains: LIGGGHTS" << endl;
 
@@ -206,17 +205,31 @@ void Foam::liggghtsPhase::createGrains()
     }
     else
     {
-        if (mesh_.time().timeIndex() > 0 && mesh_.time().value() > SMALL)
-        {
-            WarningInFunction
-                << "No state of the grains in time "
-                << mesh_.time().timeName() << ": they start from "
-                << initialScript_ << endl;
-        }
+        checkNoStateLost();
         liggghts_.script(initialScript_, mesh_.time().globalPath());
     }
 
     liggghtsChecks::boundary(liggghts_, boundary, initialScript_);
+}
+
+
+void Foam::liggghtsPhase::checkNoStateLost() const
+{
+    // Written by each run with grains beside their state
+    const bool water = !fileHandler().filePath
+    (
+        mesh_.time().timePath()/"voidFraction"
+    ).empty();
+
+    if (mesh_.time().value() > SMALL && returnReduce(water, orOp<bool>()))
+    {
+        FatalErrorInFunction
+            << "The state of the grains, " << stateFolder << "/state, is not in"
+            << " time " << mesh_.time().timeName() << " of a run with grains." << nl
+            << "    Go on from a time that has it. To begin with the grains of "
+            << initialScript_ << " there, remove voidFraction from that time."
+            << exit(FatalError);
+    }
 }
 
 
@@ -317,21 +330,19 @@ void Foam::liggghtsPhase::refresh()
     id_.shallowCopy(UList<label>(atom.tag, n));
     type_.shallowCopy(UList<label>(atom.type, n));
 
-    movingGroups_ = frozenGroups_ = 0;
+    movingGroups_ = 0;
     for (label i = 0; i < liggghts_->modify->nfix; ++i)
     {
         const LAMMPS_NS::Fix& fix = *liggghts_->modify->fix[i];
 
         movingGroups_ |= fix.time_integrate ? fix.groupbit : 0;
-        frozenGroups_ |= string(fix.style) == "freeze" ? fix.groupbit : 0;
     }
 }
 
 
 bool Foam::liggghtsPhase::mobile(const label i) const
 {
-    const int groups = liggghts_->atom->mask[i];
-    return (groups & movingGroups_) && !(groups & frozenGroups_);
+    return liggghts_->atom->mask[i] & movingGroups_;
 }
 
 

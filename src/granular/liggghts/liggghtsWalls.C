@@ -304,16 +304,17 @@ Foam::vector Foam::liggghtsWalls::toPlane
 }
 
 
+bool Foam::liggghtsWalls::isWall(const polyPatch& patch) const
+{
+    return isA<wallPolyPatch>(patch) && patches_.match(patch.name());
+}
+
+
 void Foam::liggghtsWalls::add(liggghtsInstance& liggghts)
 {
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
-        if
-        (
-            !isA<wallPolyPatch>(patch)
-         || !patches_.match(patch.name())
-         || !returnReduce(patch.size(), sumOp<label>())
-        )
+        if (!isWall(patch) || !returnReduce(patch.size(), sumOp<label>()))
         {
             continue;
         }

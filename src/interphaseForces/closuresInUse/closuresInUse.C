@@ -9,7 +9,8 @@ namespace
 {
     using namespace Foam;
 
-    //- The settings of a family, with its default law where none is named
+    //- The settings of a family, with its default law where none is named. One
+    //  that is off by default must be named where it has settings
     dictionary family
     (
         const dictionary& dict,
@@ -19,7 +20,7 @@ namespace
     {
         dictionary settings(keywords::sub(dict, name));
 
-        if (!settings.found("model"))
+        if (!settings.found("model") && !(dict.found(name) && defaultModel == "none"))
         {
             settings.add("model", defaultModel);
         }

@@ -112,15 +112,20 @@ void Foam::porosity::spreadExcess()
 {
     const scalarField& volume = exchange_.mesh().V();
     const scalar most = 1 - minimum_;
+
+    // Rounds grow with the square of the cells across what is too full
     const label nRounds = 1000;
+    const scalar roundOff = 1e-9;
+    scalar largest = 0;
 
     spreadVolume_ = 0;
 
-    for (label round = 0; round < nRounds; ++round)
+    for (label round = 0; round <= nRounds; ++round)
     {
         const scalarField excess(max(solidFraction_ - most, scalar(0)));
+        largest = gMax(excess);
 
-        if (gMax(excess) < 1e-9)
+        if (largest < roundOff || round == nRounds)
         {
             break;
         }
@@ -135,6 +140,14 @@ void Foam::porosity::spreadExcess()
         solidFraction_ +=
             (sumOverNeighbours(part) - nNeighbours*part)/volume;
         spreadVolume_ += gSum(nNeighbours*part);
+    }
+
+    if (largest > 1e-3*minimum_)
+    {
+        WarningInFunction
+            << "The void fraction is below the minimum of " << minimum_ << " by "
+            << largest << ": the grains do not fit into the cells around either."
+            << nl << "    Take a lower minimum or larger cells" << endl;
     }
 
     if (spreadVolume_ > 0)

@@ -4,7 +4,6 @@
 #include "grainCoupling.H"
 
 #include "Time.H"
-#include "wallPolyPatch.H"
 
 void Foam::grainCoupling::checkRegime()
 {
@@ -47,7 +46,7 @@ void Foam::grainCoupling::checkWalls() const
         {
             const label patch = mesh_.isInternalFace(f) ? -1 : patches.whichPatch(f);
 
-            if (patch < 0 || !isA<wallPolyPatch>(patches[patch]))
+            if (patch < 0 || !phase_->isWall(patches[patch]))
             {
                 continue;
             }
