@@ -8,6 +8,7 @@
 #include "testNumber.H"
 
 #include "IStringStream.H"
+#include "Pstream.H"
 #include "OSspecific.H"
 
 #include <cmath>
@@ -266,4 +267,52 @@ TEST(history, slowsASphereThatIsLetGoAsTheEquationHasIt)
     const scalar alone = drive/K*(1 - std::exp(-K/m*60*interval));
     testNumber("velocity over that without history", v/alone);
     EXPECT_LT(v/alone, 0.9);
+}
+
+
+TEST(ParallelHistory, thePastGoesWithItsGrain)
+{
+    const label nGrains = 50;
+    const label nRanks = Pstream::nProcs();
+    historyForce moving(entries("window 1;"));
+    historyForce staying(entries("window 1;"));
+    grainState state;
+    state.d = d;
+    state.rho = rho;
+    state.mu = mu;
+
+    // In "moving" a grain goes on to another rank with each interval
+    for (label k = 0; k < 6; ++k)
+    {
+        List<locatedGrain> here;
+        List<locatedGrain> all;
+        for (label id = 1; id <= nGrains; ++id)
+        {
+            locatedGrain grain;
+            grain.id = id;
+            all.append(grain);
+            if ((id + k*(id % 3)) % nRanks == Pstream::myProcNo())
+            {
+                here.append(grain);
+            }
+        }
+        moving.begin(here, interval);
+        staying.begin(all, interval);
+
+        labelHashSet mine;
+        for (const locatedGrain& grain : here)
+        {
+            mine.insert(grain.id);
+        }
+        for (const locatedGrain& grain : all)
+        {
+            state.slip = vector(grain.id, k*k, 1);
+            const vector expected(staying.force(grain.id, state));
+            if (mine.found(grain.id))
+            {
+                EXPECT_EQ(moving.force(grain.id, state), expected);
+                EXPECT_TRUE(k == 0 || mag(expected) > 0);
+            }
+        }
+    }
 }

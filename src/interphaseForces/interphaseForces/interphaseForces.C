@@ -35,7 +35,15 @@ Foam::interphaseForces::interphaseForces
     pressureShare_(exchange.mesh().nCells(), Zero),
     explicitForce_(exchange.mesh().nCells(), Zero),
     residual_(0)
-{}
+{
+    if (coarseGraining_ > 1 && laws_.lubrication.strength() > 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "lubrication is on and coarseGraining is " << coarseGraining_
+            << ": how near to a wall the real grains of a computed one are is not"
+            << " known. Take one of them out." << exit(FatalIOError);
+    }
+}
 
 
 void Foam::interphaseForces::setTorque

@@ -3,7 +3,6 @@
 
 #include "historyForce.H"
 
-#include "HashSet.H"
 #include "IFstream.H"
 #include "OFstream.H"
 #include "OSspecific.H"
@@ -94,54 +93,6 @@ void Foam::historyForce::makeExponentials(const scalar interval)
     if (felt_.size())
     {
         felt_.last() *= 1 + 1/(std::exp(step) - 1);
-    }
-}
-
-
-void Foam::historyForce::follow(const List<locatedGrain>& grains)
-{
-    labelHashSet here(2*grains.size());
-    for (const locatedGrain& grain : grains)
-    {
-        here.insert(grain.id);
-    }
-
-    List<labelList> ids(Pstream::nProcs());
-    List<vectorList> numbers(Pstream::nProcs());
-    for (const label id : past_.toc())
-    {
-        if (!here.found(id))
-        {
-            ids[Pstream::myProcNo()].append(id);
-            numbers[Pstream::myProcNo()].append(past_[id]);
-            past_.erase(id);
-        }
-    }
-    if (!Pstream::parRun())
-    {
-        return;
-    }
-
-    // Few cross a cut in one interval: all ranks are told of them
-    Pstream::gatherList(ids);
-    Pstream::scatterList(ids);
-    Pstream::gatherList(numbers);
-    Pstream::scatterList(numbers);
-
-    const label n = fall_.size() + 1;
-    forAll(ids, rank)
-    {
-        forAll(ids[rank], i)
-        {
-            if (here.found(ids[rank][i]))
-            {
-                past_.insert
-                (
-                    ids[rank][i],
-                    vectorList(SubList<vector>(numbers[rank], n, i*n))
-                );
-            }
-        }
     }
 }
 
