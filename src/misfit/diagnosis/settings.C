@@ -5,6 +5,8 @@
 #include "FlatOutput.H"
 #include "keywords.H"
 
+#include <cmath>
+
 Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
 {
     keywords::check
@@ -36,6 +38,14 @@ Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
     s.trigger = dict.getOrDefault<scalar>("trigger", s.trigger);
     s.draws = dict.getOrDefault<label>("draws", s.draws);
     s.seed = dict.getOrDefault<label>("seed", s.seed);
+
+    if (s.packings > 1 && s.packings < 10)
+    {
+        WarningInFunction
+            << "packings is " << s.packings << ": the spread between them is known"
+            << " to about " << label(100/std::sqrt(2*(s.packings - 1.0)))
+            << " % only, and intervals are too narrow. 20 are advised" << endl;
+    }
 
     const wordList faults
     (
