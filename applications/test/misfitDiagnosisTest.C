@@ -27,6 +27,8 @@ class worldSampler
 
     HashSet<string, string::hash> asked_;
 
+    HashSet<string, string::hash> between_;
+
     //- A mechanism at which the solver fails, and an experiment in which it
     //  fails with any
     label crashing_ = -1;
@@ -35,11 +37,13 @@ class worldSampler
     //- The second mechanism acts as the first one does
     bool twins_ = false;
 
-    //- The solver fails with strengths between those of S5, with another packing,
-    //  and where numerics are others
-    bool failsBetween_ = false;
+    //- The solver fails in A with strengths between those of S5, after so many
+    //  such states; with that packing; and where numerics are others
+    label betweenAllowed_ = labelMax;
 
-    bool failsRepeated_ = false;
+    label failingPacking_ = -1;
+
+    scalar packingChanges_ = 0;
 
     bool failsFiner_ = false;
 
@@ -140,14 +144,15 @@ public:
         twins_ = true;
     }
 
-    void failBetween()
+    void failBetween(const label allowed)
     {
-        failsBetween_ = true;
+        betweenAllowed_ = allowed;
     }
 
-    void failRepeated()
+    void failPacking(const label packing)
     {
-        failsRepeated_ = true;
+        packingChanges_ = 1e-4;
+        failingPacking_ = packing;
     }
 
     void failFiner()
@@ -185,7 +190,9 @@ public:
             asked_.insert(told(states[i]));
             runs = asked_.size();
             const vec x = variables(states[i]);
-            const vec f = simulated(x, states[i].experiment);
+            const vec f =
+                (1 + packingChanges_*states[i].packing)
+               *simulated(x, states[i].experiment);
             const bool fails =
                 states[i].experiment == failing_
              && states[i].strengths.size();
@@ -194,10 +201,15 @@ public:
             {
                 between = between || (*strength != 0.5 && *strength != 1);
             }
+            if (between && states[i].experiment == "A")
+            {
+                between_.insert(told(states[i]));
+            }
+            between = between && between_.size() > betweenAllowed_;
             if
             (
-                fails || (failsBetween_ && between)
-             || (failsRepeated_ && states[i].packing)
+                fails || (between && states[i].experiment == "A")
+             || states[i].packing == failingPacking_
              || (failsFiner_ && states[i].resolution != "base")
              || (crashing_ >= 0 && x[world::nParameters + crashing_] > 0)
             )
@@ -407,12 +419,20 @@ TEST(misfitDiagnosis, anExperimentInWhichTheSolverFailsConfirmsNothing)
 
 TEST(misfitDiagnosis, whatWasNotRunAsItWasFittedIsNotNamed)
 {
-    worldSampler s(truth(0, 0.7), 200, vec());
-    s.failBetween();
-    const finding f(diagnose(s));
-    show(f);
-    EXPECT_EQ(f.verdict, "unknown");
-    EXPECT_TRUE(f.answer.empty());
+    // Never, and only at first
+    for (const label allowed : {0, 3})
+    {
+        worldSampler s(truth(0, 0.7), 200, vec());
+        s.failBetween(allowed);
+        const finding f(diagnose(s));
+        show(f);
+        EXPECT_EQ(f.verdict, "unknown");
+        EXPECT_TRUE(f.answer.empty());
+        for (const gate& g : f.gates)
+        {
+            EXPECT_TRUE(g.name != "computed" || !g.passed);
+        }
+    }
 }
 
 
@@ -437,11 +457,31 @@ TEST(misfitDiagnosis, aFailedResolutionStopsItAndAFailedPackingIsTold)
     EXPECT_THROW(diagnose(finer, set), Foam::error);
 
     set.resolutions.clear();
-    set.packings = 3;
+    set.packings = 2;
     set.common = 1;
-    worldSampler repeated(truth(-1, 0), 100, vec());
-    repeated.failRepeated();
-    EXPECT_THROW(diagnose(repeated, set), Foam::error);
+    worldSampler one(truth(-1, 0), 100, vec());
+    one.failPacking(1);
+    EXPECT_THROW(diagnose(one, set), Foam::error);
+
+    set.packings = 4;
+    set.common = 2;
+    worldSampler common(truth(-1, 0), 100, vec());
+    common.failPacking(1);
+    try
+    {
+        diagnose(common, set);
+        FAIL();
+    }
+    catch (const Foam::error& e)
+    {
+        EXPECT_NE(e.message().find("one of the common"), std::string::npos);
+    }
+
+    worldSampler other(truth(-1, 0), 100, vec());
+    other.failPacking(2);
+    const finding f(diagnose(other, set));
+    ASSERT_EQ(f.failedRuns.size(), 1);
+    EXPECT_NE(f.failedRuns[0].find("packing 2"), std::string::npos);
 }
 
 

@@ -421,7 +421,7 @@ TEST(misfitRecordings, aPartOfHeldOutDataIsRefusedTwoPartsOfAFileAreNot)
     f.write("a.csv", "t_s,p_Pa\n0,1\n1,2\n2,4\n3,5\n4,6\n5,6\n");
     IStringStream apart(parts("0 2.5", "2.5 5"));
     EXPECT_NO_THROW(recordings(dictionary(apart), f.folder()));
-    IStringStream overlapping(parts("0 2.5", "1.5 5"));
+    IStringStream overlapping(parts("0 3.5", "1.5 5"));
     try
     {
         recordings(dictionary(overlapping), f.folder());

@@ -91,9 +91,11 @@ int main(int argc, char* argv[])
         // Not the answer of an earlier time while this one is not finished
         rm(folder/"verdict.json");
         rm(folder/"report.html");
-        if (isDir(folder/correctedCase))
+        const fileName corrected(folder/correctedCase);
+        if (isDir(corrected))
         {
-            rmDir(folder/correctedCase);
+            rmDir(corrected + ".before");
+            mv(corrected, corrected + ".before");
         }
     }
 
@@ -115,11 +117,11 @@ int main(int argc, char* argv[])
     }
 
     const finding& found = diagnose();
+    writeReport(found, folder, runTime.path().name());
     if (found.answer.size())
     {
         solver.makeCase(found.answer.first(), folder/correctedCase);
     }
-    writeReport(found, folder, runTime.path().name());
     tellFinding(found, folder);
     return 0;
 }

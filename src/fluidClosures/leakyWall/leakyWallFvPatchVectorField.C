@@ -43,7 +43,7 @@ Foam::leakyWallFvPatchVectorField::leakyWallFvPatchVectorField
 {
     keywords::check
     (
-        dict, {"type", "conductance", "outside", "strength", "value"}
+        dict, {"type", "conductance", "outside", "strength", "value", "patchType"}
     );
     if (!(conductance_ >= 0 && strength_ >= 0))
     {
@@ -112,7 +112,7 @@ void Foam::leakyWallFvPatchVectorField::follow(const scalarField& p)
 
         // Pressure follows the outflow: half of the way, and less where the flow
         // is faster than what falls in a step, or they swing
-        const scalar share = 0.5/(1 + q/fall);
+        const scalar share = 0.5*fall/max(fall + q, VSMALL);
         normal[face] += share*(q/pores[face] - normal[face]);
     }
     fvPatchVectorField::operator=(normal*patch().nf());

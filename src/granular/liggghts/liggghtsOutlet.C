@@ -31,7 +31,7 @@ Foam::List<Foam::liggghtsPhase::opening> Foam::liggghtsPhase::openings() const
             {
                 const vector outwards(gSum(areas));
 
-                if (mag(outwards) < 0.9*area)
+                if (mag(outwards) < 0.99*area)
                 {
                     FatalErrorInFunction
                         << "Patch " << patch.name() << " of LIGGGHTS/outflow"
@@ -148,7 +148,7 @@ bool Foam::liggghtsPhase::cameToSide
 }
 
 
-void Foam::liggghtsPhase::checkLeft() const
+void Foam::liggghtsPhase::checkLeft()
 {
     label nWrong = 0;
     label nInside = 0;
@@ -172,10 +172,12 @@ void Foam::liggghtsPhase::checkLeft() const
         }
     }
 
-    if (nInside && Pstream::master())
+    if (nInside && !toldOfVanished_ && Pstream::master())
     {
+        toldOfVanished_ = true;
+
         WarningInFunction
-            << nInside << " grains are gone by time "
+            << nInside << " grains (told once) are gone by time "
             << mesh_.time().timeName() << " s that were not about to reach a side"
             << " of their box; they count as left." << nl
             << "    The first is grain " << firstInside.first()

@@ -74,6 +74,7 @@ Foam::liggghtsPhase::liggghtsPhase
     nInserted_(0),
     nEntered_(0),
     nLeft_(0),
+    toldOfVanished_(false),
     movingGroups_(0)
 {
     Info<< "Grains: LIGGGHTS" << endl;
@@ -215,7 +216,7 @@ void Foam::liggghtsPhase::createGrains()
 
 void Foam::liggghtsPhase::checkNoStateLost() const
 {
-    // Written by each run with grains beside their state
+    // Written by each run with grains beside their state, but not where it began
     const bool water = !fileHandler().filePath
     (
         mesh_.time().timePath()/"voidFraction"

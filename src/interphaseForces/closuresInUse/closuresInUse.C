@@ -20,7 +20,11 @@ namespace
     {
         dictionary settings(keywords::sub(dict, name));
 
-        if (!settings.found("model") && !(dict.found(name) && defaultModel == "none"))
+        const bool mustTell =
+            dict.found(name) && defaultModel == "none"
+         && settings.getOrDefault<scalar>("strength", 1) > 0;
+
+        if (!settings.found("model") && !mustTell)
         {
             settings.add("model", defaultModel);
         }

@@ -226,6 +226,15 @@ void Foam::misfit::diagnosis::uncertainty()
                 << " in system/misfitDict, or take it out. Finished runs are"
                 << " kept" << exit(FatalError);
         }
+        else if (!given[i].ok() && i < settings_.common)
+        {
+            FatalErrorInFunction
+                << "Packing " << i << ", one of the common " << settings_.common
+                << " that every state is computed with, failed: "
+                << given[i].failure.c_str() << nl << "Mend what 'packing' changes"
+                << " in system/misfitDict, or ask for fewer with 'common'."
+                << " Finished runs are kept" << exit(FatalError);
+        }
         else if (!given[i].ok())
         {
             leaveOut(states[i], given[i].failure);

@@ -19,6 +19,7 @@ Foam::misfit::weighed Foam::misfit::diagnosis::refitted(const weighed& w)
         if (!given.ok())
         {
             Info<< "    not refitted: " << given.failure.c_str() << endl;
+            forget(w);
             return now;
         }
         local->passThrough(x, given.fit);
@@ -46,6 +47,21 @@ Foam::misfit::weighed Foam::misfit::diagnosis::refitted(const weighed& w)
         }
     }
     return now;
+}
+
+
+void Foam::misfit::diagnosis::forget(const weighed& w)
+{
+    const string name(told(w.what, mechanismNames()));
+    List<computed> others;
+    for (const computed& c : computed_)
+    {
+        if (c.explanation != name)
+        {
+            others.append(c);
+        }
+    }
+    computed_.transfer(others);
 }
 
 

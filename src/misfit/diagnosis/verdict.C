@@ -247,7 +247,15 @@ void Foam::misfit::diagnosis::decide()
     found_.after = changed ? best().best.f : found_.before;
     if (found_.verdict == "named")
     {
-        found_.answer.append(state(lookUp(best()).variables));
+        runState answer(state(lookUp(best()).variables));
+        for (const word& name : answer.strengths.toc())
+        {
+            if (!found_.names.found(name))
+            {
+                answer.strengths.erase(name);
+            }
+        }
+        found_.answer.append(answer);
     }
     forAll(best().what.mechanisms, i)
     {

@@ -89,9 +89,9 @@ void Foam::misfit::recordings::checkOnce(const dictionary& dict) const
                 continue;
             }
             const bool overlap =
-                a.source() == b.source() && a.experiment() == b.experiment()
-             && a.recorded().x.first() <= b.recorded().x.last()
-             && b.recorded().x.first() <= a.recorded().x.last();
+                a.source() == b.source()
+             && a.recorded().x.first() < b.recorded().x.last()
+             && b.recorded().x.first() < a.recorded().x.last();
             const bool equal =
                 a.recorded().x == b.recorded().x
              && a.recorded().y == b.recorded().y;
@@ -103,7 +103,7 @@ void Foam::misfit::recordings::checkOnce(const dictionary& dict) const
                     << b.source().c_str()
                     << " and " << a.source().c_str()
                     << ". What is held out must not be seen elsewhere: remove"
-                    << " one" << exit(FatalIOError);
+                    << " one, or give them intervals that do not overlap" << exit(FatalIOError);
             }
         }
     }

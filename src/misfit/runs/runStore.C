@@ -129,7 +129,9 @@ Foam::string Foam::misfit::runStore::hashTemplate() const
     for (const fileName& f : files())
     {
         const bool ofMesh = f.find("/polyMesh/") != string::npos;
-        if (f.name() != dictName_.name() && !(ofMesh && meshIsMade))
+        const bool asks =
+            f.name() == "misfitDict" || f.name() == dictName_.name();
+        if (!asks && !(ofMesh && meshIsMade))
         {
             all += f.substr(template_.size()) + digest(contentOf(f)) + '\n';
         }

@@ -142,8 +142,9 @@ void Foam::porosity::spreadExcess()
         spreadVolume_ += gSum(nNeighbours*part);
     }
 
-    if (largest > 1e-3*minimum_)
+    if (largest > max(1e-3*minimum_, 2*warnedOf_))
     {
+        warnedOf_ = largest;
         WarningInFunction
             << "The void fraction is below the minimum of " << minimum_ << " by "
             << largest << ": the grains do not fit into the cells around either."
