@@ -60,13 +60,11 @@ Foam::DynamicList<Foam::cellWeights::arrival> Foam::cellWeights::follow()
 
     for (label round = 0; ; ++round)
     {
-        List<List<traveller>> toRanks(Pstream::nProcs());
         label n = 0;
 
-        forAll(leaving_, rank)
+        for (const DynamicList<traveller>& toRank : leaving_)
         {
-            n += leaving_[rank].size();
-            toRanks[rank].transfer(leaving_[rank]);
+            n += toRank.size();
         }
 
         if (!returnReduce(n, sumOp<label>()))
@@ -74,9 +72,9 @@ Foam::DynamicList<Foam::cellWeights::arrival> Foam::cellWeights::follow()
             return home;
         }
 
-        List<List<arrival>> answers(Pstream::nProcs());
+        List<DynamicList<arrival>> answers(Pstream::nProcs());
 
-        for (const List<traveller>& from : swapLists(toRanks))
+        for (const List<traveller>& from : swapLists(leaving_))
         {
             for (traveller t : from)
             {
@@ -94,14 +92,7 @@ Foam::DynamicList<Foam::cellWeights::arrival> Foam::cellWeights::follow()
                         t.homeEntry, me, end.rank == me ? end.cell : t.cell
                     };
 
-                    if (t.homeRank == me)
-                    {
-                        home.append(a);
-                    }
-                    else
-                    {
-                        answers[t.homeRank].append(a);
-                    }
+                    answers[t.homeRank].append(a);
                 }
             }
         }
@@ -118,13 +109,18 @@ void Foam::cellWeights::numberSlots(const UList<arrival>& arrivals)
 {
     const label me = Pstream::myProcNo();
     List<Map<label>> number(Pstream::nProcs());
+    List<DynamicList<label>> cells(Pstream::nProcs());
 
     for (const arrival& a : arrivals)
     {
-        if (a.rank != me && number[a.rank].insert(a.cell, theirs_[a.rank].size()))
+        if (a.rank != me && number[a.rank].insert(a.cell, cells[a.rank].size()))
         {
-            theirs_[a.rank].append(a.cell);
+            cells[a.rank].append(a.cell);
         }
+    }
+    forAll(cells, rank)
+    {
+        theirs_[rank].transfer(cells[rank]);
     }
 
     labelList first(Pstream::nProcs(), nCells_);

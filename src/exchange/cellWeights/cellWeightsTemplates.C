@@ -18,7 +18,7 @@ Foam::Field<T> Foam::cellWeights::gather(const UList<T>& cells) const
             toRanks[rank] = List<T>(UIndirectList<T>(cells, ours_[rank]));
         }
 
-        for (const List<T>& from : swapLists(toRanks))
+        for (const List<T>& from : swapLists(std::move(toRanks)))
         {
             values.append(from);
         }
@@ -70,7 +70,7 @@ Foam::Field<T> Foam::cellWeights::spread(const UList<T>& grains) const
             at += theirs_[rank].size();
         }
 
-        const List<List<T>> fromRanks(swapLists(toRanks));
+        const List<List<T>> fromRanks(swapLists(std::move(toRanks)));
 
         forAll(fromRanks, rank)
         {

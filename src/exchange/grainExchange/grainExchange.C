@@ -80,24 +80,21 @@ void Foam::grainExchange::findElsewhere
 {
     // Ask the ranks whose bounds hold the point; the lowest that has it in a
     // cell gets the grain
-    List<List<point>> questions(Pstream::nProcs());
+    List<DynamicList<point>> questions(Pstream::nProcs());
     List<DynamicList<label>> asked(Pstream::nProcs());
 
     forAll(questions, rank)
     {
-        DynamicList<point> points;
-
         for (const label i : strangers)
         {
             const point p(images_.wrap(phase.position()[i]));
 
             if (rank != Pstream::myProcNo() && bounds_[rank].contains(p))
             {
-                points.append(p);
+                questions[rank].append(p);
                 asked[rank].append(i);
             }
         }
-        questions[rank].transfer(points);
     }
 
     const List<List<point>> theirs(swapLists(questions));
@@ -112,7 +109,7 @@ void Foam::grainExchange::findElsewhere
         }
     }
 
-    const List<List<label>> found(swapLists(answers));
+    const List<List<label>> found(swapLists(std::move(answers)));
     Map<bool> placed(2*strangers.size());
 
     forAll(found, rank)
@@ -150,46 +147,31 @@ void Foam::grainExchange::collect
 
     forAll(toRanks, rank)
     {
-        if (rank != me)
+        toRanks[rank].setSize(sent_[rank].size());
+        forAll(toRanks[rank], j)
         {
-            toRanks[rank].setSize(sent_[rank].size());
-            forAll(toRanks[rank], j)
-            {
-                toRanks[rank][j] = record(phase, sent_[rank][j]);
-            }
+            toRanks[rank][j] = record(phase, sent_[rank][j]);
         }
     }
 
-    const List<List<locatedGrain>> fromRanks
-    (
-        Pstream::parRun() ? swapLists(toRanks) : List<List<locatedGrain>>(1)
-    );
+    const List<List<locatedGrain>> fromRanks(swapLists(std::move(toRanks)));
 
     received_ = Zero;
     forAll(fromRanks, rank)
     {
-        received_[rank + 1] =
-            received_[rank]
-          + (rank == me ? sent_[me].size() : fromRanks[rank].size());
+        received_[rank + 1] = received_[rank] + fromRanks[rank].size();
     }
     grains_.setSize(received_.last());
 
     forAll(fromRanks, rank)
     {
-        for (label j = received_[rank]; j < received_[rank + 1]; ++j)
+        forAll(fromRanks[rank], k)
         {
-            const label k = j - received_[rank];
+            locatedGrain& grain = grains_[received_[rank] + k];
 
-            if (rank == me)
-            {
-                grains_[j] = record(phase, sent_[me][k]);
-                grains_[j].cell = ownCells[k];
-            }
-            else
-            {
-                grains_[j] = fromRanks[rank][k];
-                grains_[j].cell = bins_.find(grains_[j].position);
-            }
+            grain = fromRanks[rank][k];
+            grain.cell =
+                rank == me ? ownCells[k] : bins_.find(grain.position);
         }
     }
 }
@@ -240,42 +222,26 @@ Foam::vectorField Foam::grainExchange::toPhase
     const label nPhase
 ) const
 {
-    vectorField result(nPhase, Zero);
-    const label me = Pstream::myProcNo();
+    List<List<vector>> toRanks(Pstream::nProcs());
 
-    forAll(sent_[me], k)
+    forAll(toRanks, rank)
     {
-        result[sent_[me][k]] = values[received_[me] + k];
+        toRanks[rank] = SubList<vector>
+        (
+            values,
+            received_[rank + 1] - received_[rank],
+            received_[rank]
+        );
     }
 
-    if (Pstream::parRun())
+    const List<List<vector>> fromRanks(swapLists(std::move(toRanks)));
+    vectorField result(nPhase, Zero);
+
+    forAll(fromRanks, rank)
     {
-        List<List<vector>> toRanks(Pstream::nProcs());
-
-        forAll(toRanks, rank)
+        forAll(fromRanks[rank], k)
         {
-            if (rank != me)
-            {
-                toRanks[rank] = List<vector>
-                (
-                    SubList<vector>
-                    (
-                        values,
-                        received_[rank + 1] - received_[rank],
-                        received_[rank]
-                    )
-                );
-            }
-        }
-
-        const List<List<vector>> fromRanks(swapLists(toRanks));
-
-        forAll(fromRanks, rank)
-        {
-            forAll(fromRanks[rank], k)
-            {
-                result[sent_[rank][k]] = fromRanks[rank][k];
-            }
+            result[sent_[rank][k]] = fromRanks[rank][k];
         }
     }
 

@@ -13,21 +13,6 @@ namespace
 
 using namespace Foam;
 
-//- What each rank sends to each, own ones too
-template<class T>
-List<List<T>> swapped(List<DynamicList<T>>& toRanks)
-{
-    List<List<T>> sent(toRanks.size());
-    forAll(sent, rank)
-    {
-        sent[rank].transfer(toRanks[rank]);
-    }
-    List<List<T>> received(swapLists(sent));
-    received[Pstream::myProcNo()].transfer(sent[Pstream::myProcNo()]);
-    return received;
-}
-
-
 //- Pasts on their way between ranks: numbers of the grains, and as many vectors
 //  for each
 struct parcels
@@ -51,8 +36,8 @@ struct parcels
     //- Those that arrive go into the table
     void send(HashTable<vectorList, label, Hash<label>>& table)
     {
-        const List<labelList> id(swapped(ids));
-        const List<vectorList> number(swapped(numbers));
+        const List<labelList> id(swapLists(ids));
+        const List<vectorList> number(swapLists(numbers));
         forAll(id, rank)
         {
             const label n = id[rank].size();
@@ -109,7 +94,7 @@ void Foam::historyForce::follow(const List<locatedGrain>& grains)
     HashTable<vectorList, label, Hash<label>> left;
     leaving.send(left);
 
-    const List<labelList> asked(swapped(wanted));
+    const List<labelList> asked(swapLists(wanted));
     parcels fetched;
     forAll(asked, rank)
     {
