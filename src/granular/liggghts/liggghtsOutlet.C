@@ -3,6 +3,7 @@
 
 #include "liggghtsPhase.H"
 
+#include "OStringStream.H"
 #include "Time.H"
 
 #include <liggghts/domain.h>
@@ -148,14 +149,68 @@ bool Foam::liggghtsPhase::cameToSide
 }
 
 
-void Foam::liggghtsPhase::checkLeft()
+void Foam::liggghtsPhase::warnOfVanished
+(
+    const label n,
+    const rollCall::seen& first
+)
 {
-    label nWrong = 0;
-    label nInside = 0;
-    rollCall::seen first;
-    rollCall::seen firstInside;
+    toldOfVanished_ = true;
 
-    for (const rollCall::seen& grain : before_.missing(id_))
+    WarningInFunction
+        << n << " grains (told once) are gone by time "
+        << mesh_.time().timeName() << " s that were not about to reach a side"
+        << " of their box; they are lost, and do not count as left." << nl
+        << "    " << told(first).c_str() << nl
+        << "    A command of the case took them away, or a contact threw them"
+        << " out: then shorten the DEM step." << endl;
+}
+
+
+std::string Foam::liggghtsPhase::told(const rollCall::seen& grain)
+{
+    if (grain.first() < 0)
+    {
+        return "It came in within this exchange interval, too.";
+    }
+
+    OStringStream os;
+    os  << "Grain " << grain.first() << " was, one exchange interval before, at "
+        << grain.second().first() << " m with velocity "
+        << grain.second().second() << " m/s.";
+    return os.str();
+}
+
+
+void Foam::liggghtsPhase::stopForWrong
+(
+    const label n,
+    const rollCall::seen& first
+) const
+{
+    FatalErrorInFunction
+        << "A grain left the mesh where it may not, by time "
+        << mesh_.time().timeName() << " s." << nl
+        << "    " << told(first).c_str() << nl
+        << "    " << n << " of " << nGrains_ << " grains left so." << nl
+        << "    If grains pass a wall: shorten the DEM step or make the"
+        << " grains stiffer. If they may leave: name the patches in"
+        << " LIGGGHTS/outflow of constant/granularProperties."
+        << exit(FatalError);
+}
+
+
+Foam::label Foam::liggghtsPhase::nVanished(const label gone)
+{
+    // Those that came in and went within one interval were never seen
+    const List<rollCall::seen> missing(before_.missing(id_));
+    const label nUnseen = gone - missing.size();
+    label nWrong = openings_.empty() ? nUnseen : 0;
+    label nInside = nUnseen - nWrong;
+    rollCall::seen first(-1, Pair<vector>());
+    rollCall::seen firstInside(first);
+
+    for (const rollCall::seen& grain : missing)
     {
         const point& from = grain.second().first();
         const vector& velocity = grain.second().second();
@@ -164,48 +219,30 @@ void Foam::liggghtsPhase::checkLeft()
 
         if (out ? !mayLeave(leavesAt, velocity) : openings_.empty())
         {
-            first = nWrong++ ? first : grain;
+            ++nWrong;
+            first = first.first() < 0 ? grain : first;
         }
         else if (!out)
         {
-            firstInside = nInside++ ? firstInside : grain;
+            ++nInside;
+            firstInside = firstInside.first() < 0 ? grain : firstInside;
         }
     }
 
-    if (nInside && !toldOfVanished_ && Pstream::master())
+    if (nInside > 0 && !toldOfVanished_ && Pstream::master())
     {
-        toldOfVanished_ = true;
-
-        WarningInFunction
-            << nInside << " grains (told once) are gone by time "
-            << mesh_.time().timeName() << " s that were not about to reach a side"
-            << " of their box; they count as left." << nl
-            << "    The first is grain " << firstInside.first()
-            << ", one exchange interval before at "
-            << firstInside.second().first() << " m with velocity "
-            << firstInside.second().second() << " m/s." << nl
-            << "    A command of the case took them away, or a contact threw them"
-            << " out: then shorten the DEM step." << endl;
+        warnOfVanished(nInside, firstInside);
     }
 
     if (nWrong && Pstream::master())
     {
-        FatalErrorInFunction
-            << "Grain " << first.first() << " left the mesh where it may not,"
-            << " by time " << mesh_.time().timeName() << " s." << nl
-            << "    One exchange interval before, it was at "
-            << first.second().first() << " m with velocity "
-            << first.second().second() << " m/s." << nl
-            << "    " << nWrong << " of " << nGrains_ << " grains left so."
-            << nl
-            << "    If grains pass a wall: shorten the DEM step or make the"
-            << " grains stiffer. If they may leave: name the patches in"
-            << " LIGGGHTS/outflow of constant/granularProperties."
-            << exit(FatalError);
+        stopForWrong(nWrong, first);
     }
 
     // Until the master has ended the run
     returnReduce(nWrong, maxOp<label>());
+
+    return nInside;
 }
 
 
@@ -217,11 +254,10 @@ void Foam::liggghtsPhase::countGrains()
 
     if (gone > 0)
     {
-        checkLeft();
+        nLeft_ += gone - nVanished(gone);
     }
 
     nEntered_ += inserted - nInserted_;
-    nLeft_ += gone;
     nInserted_ = inserted;
     nGrains_ = now;
 }
