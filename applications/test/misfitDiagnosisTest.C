@@ -37,6 +37,9 @@ class worldSampler
     //- The second mechanism acts as the first one does
     bool twins_ = false;
 
+    //- A mechanism that does nothing with strengths between those of S5
+    label idle_ = -1;
+
     //- The solver fails in A with strengths between those of S5, after so many
     //  such states; with that packing; and where numerics are others
     label betweenAllowed_ = labelMax;
@@ -57,6 +60,11 @@ class worldSampler
         return s;
     }
 
+    static bool isBetween(const scalar strength)
+    {
+        return strength != 0 && strength != 0.5 && strength != 1;
+    }
+
     vec variables(const runState& s) const
     {
         vec x = vec::Zero(world_.bounds.mean.size());
@@ -64,8 +72,10 @@ class worldSampler
         x[1] = s.parameters.lookup("friction", 0);
         for (label m = 0; m < world::nMechanisms; ++m)
         {
-            x[world::nParameters + m] =
+            const scalar strength =
                 s.strengths.lookup(world::mechanism(m), 0);
+            x[world::nParameters + m] =
+                m == idle_ && isBetween(strength) ? 0 : strength;
         }
         if (twins_)
         {
@@ -144,6 +154,11 @@ public:
         twins_ = true;
     }
 
+    void idleBetween(const label mechanism)
+    {
+        idle_ = mechanism;
+    }
+
     void failBetween(const label allowed)
     {
         betweenAllowed_ = allowed;
@@ -199,7 +214,7 @@ public:
             bool between = false;
             forAllConstIters(states[i].strengths, strength)
             {
-                between = between || (*strength != 0.5 && *strength != 1);
+                between = between || isBetween(*strength);
             }
             if (between && states[i].experiment == "A")
             {
@@ -432,6 +447,28 @@ TEST(misfitDiagnosis, whatWasNotRunAsItWasFittedIsNotNamed)
         {
             EXPECT_TRUE(g.name != "computed" || !g.passed);
         }
+    }
+}
+
+
+TEST(misfitDiagnosis, whatTheSolverRefutesGivesWayToTheNextBest)
+{
+    // By the surface alone the two are alike
+    settings set(worldSettings());
+    set.refit = 0;
+    set.pairs = false;
+    for (label idle = 0; idle < 2; ++idle)
+    {
+        worldSampler s(truth(0, 0.7), 200, vec());
+        s.makeTwins();
+        s.idleBetween(idle);
+        const finding f(diagnose(s, set));
+        expectAnswer(f, "named", {world::mechanism(1 - idle)});
+        ASSERT_EQ(f.strengths.size(), 1);
+        EXPECT_EQ(f.strengths[0].name, world::mechanism(1 - idle));
+        EXPECT_NEAR(f.strengths[0].value, 0.7, 0.2);
+        ASSERT_EQ(f.answer.size(), 1);
+        EXPECT_TRUE(f.answer[0].strengths.found(world::mechanism(1 - idle)));
     }
 }
 

@@ -86,11 +86,6 @@ void Foam::misfit::diagnosis::refit()
     }
     means(first);
 
-    const auto order = [](const weighed& a, const weighed& b)
-    {
-        return a.score < b.score;
-    };
-
     // The base too; then the best, until the best of all was computed
     HashSet<string, string::hash> done;
     for (weighed& w : all)
@@ -103,7 +98,7 @@ void Foam::misfit::diagnosis::refit()
     }
     for (label n = 0; n < settings_.refit + 2; ++n)
     {
-        std::sort(all.begin(), all.end(), order);
+        sortByScore(all);
         label i = 0;
         while
         (
@@ -120,7 +115,7 @@ void Foam::misfit::diagnosis::refit()
         done.insert(told(all[i].what, mechanismNames()));
         all[i] = refitted(all[i]);
     }
-    std::sort(all.begin(), all.end(), order);
+    sortByScore(all);
 }
 
 

@@ -2,6 +2,7 @@
 // S9: the verdict, how sure it is, and what it says in a sentence.
 
 #include "diagnosis.H"
+#include "HashSet.H"
 #include "StringStream.H"
 
 #include <algorithm>
@@ -15,6 +16,12 @@ using namespace Foam::misfit;
 bool isFault(const weighed& w)
 {
     return w.what.fault != nullptr;
+}
+
+
+bool isSame(const List<label>& a, const List<label>& b)
+{
+    return labelHashSet(a) == labelHashSet(b);
 }
 
 
@@ -90,6 +97,30 @@ void Foam::misfit::diagnosis::putFirst(const string& explanation)
 
 void Foam::misfit::diagnosis::prefer()
 {
+    // Held-out data are judged by the solver, not by the surface; what the solver
+    // makes worse gives way to the next
+    HashSet<string, string::hash> tried;
+    for (label n = 0; n < settings_.refit + 2; ++n)
+    {
+        preferAmongRivals();
+        const bool asked =
+            found_.detection.p >= settings_.significance
+         || findComputed(best())
+         || !tried.insert(told(best().what, mechanismNames()));
+        if (asked)
+        {
+            return;
+        }
+        found_.explanations[0] = refitted(best());
+    }
+    preferAmongRivals();
+}
+
+
+void Foam::misfit::diagnosis::preferAmongRivals()
+{
+    sortByScore(found_.explanations);
+
     // What all rivals have on is the answer, if that alone is one of them
     const wordList names(mechanismNames());
     const List<weighed> near(rivals());
@@ -111,12 +142,6 @@ void Foam::misfit::diagnosis::prefer()
         hypothesis part(best().what);
         part.unknown = true;
         putFirst(told(part, names));
-    }
-
-    // Held-out data are judged by the solver, not by the surface
-    if (found_.detection.p < settings_.significance && !findComputed(best()))
-    {
-        found_.explanations[0] = refitted(best());
     }
 }
 
@@ -151,7 +176,7 @@ void Foam::misfit::diagnosis::judge(List<weighed>& near)
     }
 
     const List<label> core(common(near));
-    if (core.size() && best().what.mechanisms.size() == core.size())
+    if (core.size() && isSame(best().what.mechanisms, core))
     {
         for (const label m : core)
         {

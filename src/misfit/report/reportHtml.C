@@ -226,12 +226,7 @@ std::string explanations(const finding& f, const wordList& names)
     std::vector<row> rows;
     const std::string answer = told(f.explanations.first().what, names);
     List<weighed> list(f.explanations);
-    std::sort
-    (
-        list.begin(),
-        list.end(),
-        [](const weighed& a, const weighed& b) { return a.score < b.score; }
-    );
+    sortByScore(list);
     for (const weighed& w : list)
     {
         const std::string name = told(w.what, names);

@@ -4,6 +4,8 @@
 
 #include "hypothesis.H"
 
+#include <algorithm>
+
 bool Foam::misfit::hypothesis::extends(const hypothesis& other) const
 {
     for (const label m : other.mechanisms)
@@ -182,4 +184,17 @@ Foam::misfit::hypothesisModel::starts() const
         all.append(pick(from, vec(0)));
     }
     return all;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void Foam::misfit::sortByScore(List<weighed>& list)
+{
+    std::sort
+    (
+        list.begin(),
+        list.end(),
+        [](const weighed& a, const weighed& b) { return a.score < b.score; }
+    );
 }

@@ -35,17 +35,6 @@ void addNumbers(List<weighed>& list)
 }
 
 
-void sortByScore(List<weighed>& list)
-{
-    std::sort
-    (
-        list.begin(),
-        list.end(),
-        [](const weighed& a, const weighed& b) { return a.score < b.score; }
-    );
-}
-
-
 //- The covariance in the unit of the recording, if that is a larger one
 mat inItsUnit(const mat& covariance, const vec& noiseScales)
 {
