@@ -274,6 +274,20 @@ TEST(misfitRuns, aFinishedRunIsNeverDoneAgain)
 }
 
 
+TEST(misfitRuns, aCommandMayHaveAPath)
+{
+    const fakeCase c;
+    c.write("system/prepare", "#!/bin/bash\necho y >> $PWD/../../../../count\n");
+    chMod(c.folder()/"system/prepare", 0755);
+    fakePredictor f
+    (
+        c, "commands (\"./system/prepare\" \"bash system/solver\"); "
+    );
+    EXPECT_TRUE(f({withSlope(3)}).first().ok());
+    EXPECT_EQ(c.count(), 2);
+}
+
+
 TEST(misfitRuns, aCrashIsKeptWithItsReason)
 {
     const fakeCase c;

@@ -122,7 +122,13 @@ public:
         head_(),
         next_(positions.size(), -1)
     {
+        // Few grains in a large box need no more cells than grains
         const vector span = boundBox(positions, false).span();
+        const scalar most = 2.0*positions.size() + 1;
+        while (nCells(span) > most)
+        {
+            width_ *= 1.26;
+        }
         for (direction d = 0; d < 3; ++d)
         {
             n_[d] = label(span[d]/width_) + 1;
@@ -135,6 +141,14 @@ public:
             next_[i] = head;
             head = i;
         }
+    }
+
+    //- As a number that may be larger than a label
+    scalar nCells(const vector& span) const
+    {
+        return
+            std::floor(span.x()/width_ + 1)*std::floor(span.y()/width_ + 1)
+           *std::floor(span.z()/width_ + 1);
     }
 
     FixedList<label, 3> coordinates(const point& p) const

@@ -3,6 +3,7 @@
 
 #include "bankFile.H"
 #include "report.H"
+#include "textFile.H"
 
 #include "error.H"
 

@@ -5,6 +5,7 @@
 #include "diagnosis.H"
 #include "gaussianProcess.H"
 #include "report.H"
+#include "textFile.H"
 
 #include "IFstream.H"
 #include "OSspecific.H"

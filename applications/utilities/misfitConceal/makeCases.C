@@ -4,6 +4,7 @@
 #include "concealedCase.H"
 #include "concealedSet.H"
 #include "report.H"
+#include "textFile.H"
 
 #include "OSspecific.H"
 

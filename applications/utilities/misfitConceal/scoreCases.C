@@ -3,6 +3,7 @@
 
 #include "concealedSet.H"
 #include "report.H"
+#include "textFile.H"
 #include "scores.H"
 
 #include "OSspecific.H"

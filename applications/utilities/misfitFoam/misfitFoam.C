@@ -117,11 +117,11 @@ int main(int argc, char* argv[])
     }
 
     const finding& found = diagnose();
-    writeReport(found, folder, runTime.path().name());
     if (found.answer.size())
     {
         solver.makeCase(found.answer.first(), folder/correctedCase);
     }
+    writeReport(found, folder, runTime.path().name());
     tellFinding(found, folder);
     return 0;
 }

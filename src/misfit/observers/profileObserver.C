@@ -45,11 +45,11 @@ Foam::misfit::profileObserver::read(const fileName& caseFolder) const
     );
 
     // Columns of a sideView: x y z size alpha speed
-    std::map<label, std::pair<scalar, scalar>> volumes;
+    std::map<long, std::pair<scalar, scalar>> volumes;
     forAll(cells.rows(), i)
     {
         const scalar volume = pow3(cells.value(i, 3));
-        auto& sums = volumes[label(std::lround(1e6*cells.value(i, 0)))];
+        auto& sums = volumes[std::lround(1e6*cells.value(i, 0))];
         sums.first += cells.value(i, 4)*volume;
         sums.second += volume;
     }

@@ -2,12 +2,9 @@
 // verdict.json: the record of a diagnosis.
 
 #include "report.H"
-
-#include "OSspecific.H"
-#include "error.H"
+#include "textFile.H"
 
 #include <cmath>
-#include <fstream>
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -268,22 +265,6 @@ std::string Foam::misfit::shortNumber(const scalar value)
     std::ostringstream os;
     os << std::setprecision(4) << value;
     return os.str();
-}
-
-
-void Foam::misfit::writeWhole(const fileName& file, const std::string& text)
-{
-    const fileName half(file + ".new");
-    {
-        std::ofstream os(half);
-        os << text;
-        if (!os)
-        {
-            FatalErrorInFunction
-                << "Could not write " << half << exit(FatalError);
-        }
-    }
-    mv(half, file);
 }
 
 

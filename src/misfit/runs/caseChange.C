@@ -4,10 +4,10 @@
 #include "caseChange.H"
 #include "fileDictionary.H"
 #include "keywords.H"
+#include "textFile.H"
 
 #include "IFstream.H"
 #include "IStringStream.H"
-#include "OFstream.H"
 #include "OSspecific.H"
 
 #include <cstdio>
@@ -109,8 +109,8 @@ void Foam::misfit::caseChange::applyToScript
             << name_.c_str() << " equal ...\"; one is needed to change it"
             << exit(FatalError);
     }
-    rm(path);
-    OFstream(path).stdStream() << text;
+    // A copy may share the file by a link: it is replaced, never written into
+    writeWhole(path, text);
 }
 
 
@@ -171,9 +171,12 @@ void Foam::misfit::caseChange::apply
     const fileName path(caseFolder/file_);
     if (newFile_ && !isFile(path, false))
     {
-        OFstream os(path);
-        os  << "FoamFile { version 2.0; format ascii; class dictionary;"
-            << " object " << path.name() << "; }" << nl;
+        writeWhole
+        (
+            path,
+            "FoamFile { version 2.0; format ascii; class dictionary; object "
+          + path.name() + "; }\n"
+        );
     }
     if (!isFile(path, false))
     {

@@ -5,8 +5,8 @@
 
 #include "IFstream.H"
 #include "IOobject.H"
-#include "OFstream.H"
-#include "OSspecific.H"
+#include "OStringStream.H"
+#include "textFile.H"
 
 namespace
 {
@@ -54,8 +54,8 @@ void Foam::misfit::fileDictionary::set(dictionary& where, Istream& entryText)
 void Foam::misfit::fileDictionary::write() const
 {
     // A copy may share the file by a link: it is replaced, never written into
-    rm(path_);
-    OFstream os(path_);
+    OStringStream os;
     os.precision(12);
     content_.write(os, false);
+    writeWhole(path_, os.str());
 }

@@ -4,16 +4,16 @@
 #include "runStore.H"
 #include "keywords.H"
 #include "temporaryFolder.H"
+#include "textFile.H"
 
 #include "fileNameList.H"
-#include "IFstream.H"
-#include "OFstream.H"
 #include "OSspecific.H"
 #include "SHA1.H"
 #include "stringOps.H"
 
 #include <algorithm>
 #include <fcntl.h>
+#include <filesystem>
 #include <sys/file.h>
 #include <thread>
 #include <unistd.h>
@@ -34,20 +34,6 @@ void filesBelow(const fileName& folder, fileNameList& files)
     {
         filesBelow(folder/d, files);
     }
-}
-
-
-string contentOf(const fileName& file)
-{
-    IFstream is(file);
-    return string
-    (
-        std::string
-        (
-            std::istreambuf_iterator<char>(is.stdStream()),
-            std::istreambuf_iterator<char>()
-        )
-    );
 }
 
 
@@ -201,12 +187,13 @@ void Foam::misfit::runStore::prepare
     }
     makeCase(target/"case", run);
 
-    OFstream(target/"about").stdStream() << run.told << '\n';
-    OFstream os(target/"commands");
+    writeWhole(target/"about", run.told + '\n');
+    string lines;
     for (const string& c : commands_)
     {
-        os.stdStream() << c << '\n';
+        lines += c + '\n';
     }
+    writeWhole(target/"commands", lines);
 }
 
 
@@ -241,7 +228,11 @@ Foam::misfit::runStore::runStore
         dict.getOrDefault<label>
         (
             "jobs",
-            max(label(std::thread::hardware_concurrency())/ranks_, label(1))
+            max
+            (
+                label(std::thread::hardware_concurrency())/max(ranks_, 1),
+                label(1)
+            )
         )
     ),
     timeLimit_(dict.getOrDefault<label>("timeLimit", 86400)),
@@ -382,7 +373,24 @@ void Foam::misfit::runStore::makeCase
 
     for (const fileName& part : parts())
     {
-        cp(template_/part, target/inCase(part));
+        const fileName copied(target/inCase(part));
+        mkDir(copied.path());
+
+        // Scripts keep the right to be run, which Foam::cp takes from them
+        std::error_code failed;
+        std::filesystem::copy
+        (
+            std::string(template_/part),
+            std::string(copied),
+            std::filesystem::copy_options::recursive,
+            failed
+        );
+        if (failed)
+        {
+            FatalErrorInFunction
+                << "Could not copy " << template_/part << " to " << target << ": "
+                << failed.message().c_str() << exit(FatalError);
+        }
     }
     run.change(target);
 }
