@@ -70,15 +70,10 @@ Foam::slidingGate::slidingGate(const fvMesh& mesh, const dictionary& dict)
     writeActivePhysics(mesh_, "slidingGate", inUse);
 
     const point onPlane(dict.get<point>("point"));
-    const vector normal(unit(dict, "normal", dict.get<vector>("normal")));
+    const vector normal(keywords::unitVector(dict, "normal"));
     const vector direction
     (
-        unit
-        (
-            dict,
-            "direction",
-            dict.lookupOrDefault("direction", vector(0, 0, 1))
-        )
+        keywords::unitVector(dict, "direction", vector(0, 0, 1))
     );
     speed_ = Function1<scalar>::New("speed", dict);
 
@@ -128,25 +123,6 @@ void Foam::slidingGate::checkSettings(const dictionary& dict)
             << "    It stretches the time of opening: 0 (no gate), 1 (as"
             << " speed has it) or any number above 0." << exit(FatalIOError);
     }
-}
-
-
-Foam::vector Foam::slidingGate::unit
-(
-    const dictionary& dict,
-    const word& key,
-    vector value
-)
-{
-    if (mag(value) < SMALL)
-    {
-        FatalIOErrorInFunction(dict)
-            << key << " of a gate is " << value << ": it has no direction."
-            << nl << "    Give a vector other than zero, as (1 0 0)."
-            << exit(FatalIOError);
-    }
-
-    return value/mag(value);
 }
 
 

@@ -44,7 +44,6 @@ int main(int argc, char *argv[])
         " unresolved: cells are larger than grains."
     );
 
-    grainCoupling::moving = !argList::postProcess(argc, argv);
     #include "postProcess.H"
 
     #include "addCheckCaseOptions.H"

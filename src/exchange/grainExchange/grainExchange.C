@@ -83,12 +83,12 @@ void Foam::grainExchange::findElsewhere
     List<DynamicList<point>> questions(Pstream::nProcs());
     List<DynamicList<label>> asked(Pstream::nProcs());
 
-    forAll(questions, rank)
+    for (const label i : strangers)
     {
-        for (const label i : strangers)
-        {
-            const point p(images_.wrap(phase.position()[i]));
+        const point p(images_.wrap(phase.position()[i]));
 
+        forAll(questions, rank)
+        {
             if (rank != Pstream::myProcNo() && bounds_[rank].contains(p))
             {
                 questions[rank].append(p);

@@ -163,7 +163,7 @@ Foam::fv::locatedPush::locatedPush
 )
 :
     option(name, modelType, dict, mesh),
-    direction_(normalised(coeffs_.get<vector>("direction"))),
+    direction_(keywords::unitVector(coeffs_, "direction")),
     force_
     (
         coeffs_.get<scalar>("force")
@@ -180,10 +180,7 @@ Foam::fv::locatedPush::locatedPush
     checkSettings();
     fieldNames_ = {"U"};
     applied_.setSize(1, false);
-    findCells
-    (
-        normalised(coeffs_.lookupOrDefault("up", vector(0, 0, 1)))
-    );
+    findCells(keywords::unitVector(coeffs_, "up", vector(0, 0, 1)));
     openFile();
     writeActivePhysics(mesh, name, coeffs_);
 }

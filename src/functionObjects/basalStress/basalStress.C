@@ -4,6 +4,7 @@
 #include "basalStress.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "keywords.H"
 #include "wallShear.H"
 
 namespace Foam
@@ -78,7 +79,8 @@ bool Foam::functionObjects::basalStress::read(const dictionary& dict)
 
     const wordRes names(dict.get<wordRes>("patches"));
     patches_ = mesh_.boundaryMesh().patchSet(names).sortedToc();
-    direction_ = dict.lookupOrDefault("direction", frame_.downslope());
+    direction_ =
+        keywords::unitVector(dict, "direction", frame_.downslope());
     binWidth_ = dict.lookupOrDefault<scalar>("binWidth", 0.1);
     pName_ = dict.lookupOrDefault<word>("p", "p");
     UName_ = dict.lookupOrDefault<word>("U", "U");
@@ -90,15 +92,13 @@ bool Foam::functionObjects::basalStress::read(const dictionary& dict)
             << mesh_.boundaryMesh().names() << exit(FatalIOError);
     }
 
-    if (binWidth_ <= 0 || mag(direction_) < SMALL)
+    if (binWidth_ <= 0)
     {
         FatalIOErrorInFunction(dict)
-            << "binWidth is " << binWidth_ << " m and direction "
-            << direction_ << ": neither may be zero, nor the width negative."
+            << "binWidth is " << binWidth_ << " m: it must be above zero."
             << exit(FatalIOError);
     }
 
-    direction_ /= mag(direction_);
     start_ = GREAT;
     end_ = -GREAT;
 

@@ -4,33 +4,7 @@
 #include "flumeFrame.H"
 
 #include "PstreamReduceOps.H"
-
-namespace
-{
-
-Foam::vector unitVector
-(
-    const Foam::dictionary& dict,
-    const Foam::word& key,
-    const Foam::vector& usual
-)
-{
-    using namespace Foam;
-
-    const vector v(dict.lookupOrDefault<vector>(key, usual));
-
-    if (mag(v) < SMALL)
-    {
-        FatalIOErrorInFunction(dict)
-            << key << " is " << v << ": give a direction, for instance "
-            << usual << "." << exit(FatalIOError);
-    }
-
-    return v/mag(v);
-}
-
-} // End anonymous namespace
-
+#include "keywords.H"
 
 Foam::flumeFrame::flumeFrame()
 :
@@ -41,8 +15,8 @@ Foam::flumeFrame::flumeFrame()
 Foam::flumeFrame::flumeFrame(const dictionary& dict)
 :
     origin_(dict.lookupOrDefault<vector>("origin", vector::zero)),
-    x_(unitVector(dict, "downslope", vector(1, 0, 0))),
-    z_(unitVector(dict, "normal", vector(0, 0, 1)))
+    x_(keywords::unitVector(dict, "downslope", vector(1, 0, 0))),
+    z_(keywords::unitVector(dict, "normal", vector(0, 0, 1)))
 {
     if (mag(x_ & z_) > 1e-6)
     {

@@ -80,12 +80,6 @@ const Foam::misfit::unit* Foam::misfit::findUnit(const word& name)
 }
 
 
-Foam::wordList Foam::misfit::unitNames()
-{
-    return units().sortedToc();
-}
-
-
 const Foam::dimensionSet* Foam::misfit::findQuantity(const word& name)
 {
     const auto found = quantities().cfind(name);
@@ -102,7 +96,7 @@ Foam::wordList Foam::misfit::quantityNames()
 Foam::wordList Foam::misfit::unitsOf(const dimensionSet& dimensions)
 {
     DynamicList<word> names;
-    for (const word& name : unitNames())
+    for (const word& name : units().sortedToc())
     {
         if (units()[name].dimensions == dimensions)
         {

@@ -136,8 +136,7 @@ void Foam::misfit::correction::readPush(const dictionary& dict)
     correctionElement e;
     e.family = "push";
     e.size = sizeOf(dict);
-    e.direction = dict.getOrDefault("direction", e.direction);
-    e.direction /= max(mag(e.direction), VSMALL);
+    e.direction = keywords::unitVector(dict, "direction", e.direction);
     forAll(stations, i)
     {
         forAll(times, j)

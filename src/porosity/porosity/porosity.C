@@ -120,6 +120,9 @@ void Foam::porosity::spreadExcess()
 
     spreadVolume_ = 0;
 
+    // Most often there is nothing to spread
+    scalarField nNeighbours;
+
     for (label round = 0; round <= nRounds; ++round)
     {
         const scalarField excess(max(solidFraction_ - most, scalar(0)));
@@ -131,10 +134,10 @@ void Foam::porosity::spreadExcess()
         }
 
         // What does not fit goes in equal parts to the cells around
-        const scalarField nNeighbours
-        (
-            sumOverNeighbours(scalarField(excess.size(), 1))
-        );
+        if (!round)
+        {
+            nNeighbours = sumOverNeighbours(scalarField(excess.size(), 1));
+        }
         const scalarField part(excess*volume/max(nNeighbours, scalar(1)));
 
         solidFraction_ +=

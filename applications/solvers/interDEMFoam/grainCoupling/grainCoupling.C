@@ -7,10 +7,8 @@
 #include "OSspecific.H"
 #include "Time.H"
 #include "activePhysics.H"
+#include "functionObject.H"
 #include "keywords.H"
-
-bool Foam::grainCoupling::moving = true;
-
 
 Foam::grainCoupling::grainCoupling(const fvMesh& mesh, const vector& g)
 :
@@ -20,7 +18,8 @@ Foam::grainCoupling::grainCoupling(const fvMesh& mesh, const vector& g)
     nEntered_(0),
     warnedOf_(0)
 {
-    if (!moving)
+    // On written data grains are read where they are looked at
+    if (functionObject::postProcess)
     {
         return;
     }

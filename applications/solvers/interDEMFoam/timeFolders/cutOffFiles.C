@@ -6,6 +6,8 @@
 #include "IFstream.H"
 #include "OSspecific.H"
 
+#include <cctype>
+
 namespace
 {
 
@@ -14,7 +16,13 @@ using namespace Foam;
 //- True where a file holds the parts of all ranks
 bool collated(const fileName& file)
 {
-    return file.find("/processors") != std::string::npos;
+    // processors4, or processors4_0-1; not a folder of the user's
+    const std::string name("/processors");
+    const auto at = file.rfind(name);
+
+    return
+        at != std::string::npos && at + name.size() < file.size()
+     && std::isdigit(file[at + name.size()]);
 }
 
 

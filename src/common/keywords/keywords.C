@@ -148,6 +148,33 @@ Foam::word Foam::keywords::choice
 }
 
 
+Foam::vector Foam::keywords::unitVector
+(
+    const dictionary& dict,
+    const word& keyword,
+    const vector& byDefault
+)
+{
+    const vector v
+    (
+        byDefault == vector::zero
+      ? dict.get<vector>(keyword)
+      : dict.getOrDefault<vector>(keyword, byDefault)
+    );
+
+    if (mag(v) < SMALL)
+    {
+        FatalIOErrorInFunction(dict)
+            << keyword << " in " << dict.name() << " is " << v
+            << ": it has no direction." << nl
+            << "    Give a vector other than zero, as (1 0 0)"
+            << exit(FatalIOError);
+    }
+
+    return v/mag(v);
+}
+
+
 Foam::wordRes Foam::keywords::patterns
 (
     const dictionary& dict,
