@@ -237,6 +237,57 @@ vectorField viscousForces
     return forces.force();
 }
 
+
+//- One grain alone in a box of water
+struct loneGrain
+{
+    testMesh box;
+
+    standingGrains phase;
+
+    grainExchange exchange;
+
+    porosity pores;
+
+    explicit loneGrain(const scalar d)
+    :
+        phase(box.mesh()),
+        exchange(box.mesh()),
+        pores(exchange, entries(inOneCellEach))
+    {
+        put(phase, pointField(1, point(0.4, 0.4, 0.4)), d);
+    }
+
+    //- Forces by these laws in water that does not accelerate
+    autoPtr<interphaseForces> forces
+    (
+        const string& laws,
+        const fluidFields& fluid,
+        const vector& pressureGradient = Zero
+    )
+    {
+        const label n = box.mesh().nCells();
+        exchange.locate(phase);
+        pores.update();
+
+        auto result = autoPtr<interphaseForces>::New
+        (
+            exchange, pores, entries(laws), g, 1
+        );
+        const vectorField none(n, Zero);
+        result->prepare(fluid, interval);
+        result->finish
+        (
+            fluidMeans
+            {
+                fluid.U, none, vectorField(n, pressureGradient), none
+            }
+        );
+        EXPECT_LT(result->residual(), 1e-12);
+        return result;
+    }
+};
+
 } // End anonymous namespace
 
 
@@ -401,54 +452,73 @@ TEST(excessPressure, isFeltByItsStrengthAndBuoyancyInFull)
 
     for (const scalar strength : {0.0, 0.3, 1.0})
     {
-        testMesh box;
-        const fvMesh& mesh = box.mesh();
-        standingGrains phase(mesh);
-        put(phase, pointField(1, point(0.4, 0.4, 0.4)), d);
-        grainExchange exchange(mesh);
-        exchange.locate(phase);
-        porosity pores(exchange, entries(inOneCellEach));
-        pores.update();
-
-        const auto forceWith = [&](const string& drag)
-        {
-            interphaseForces forces
-            (
-                exchange,
-                pores,
-                entries
-                (
-                    "drag { model " + drag + "; } excessPressure { strength "
-                  + Foam::name(strength) + "; }"
-                ),
-                g,
-                1
-            );
-            const vectorField none(mesh.nCells(), Zero);
-            fluidFields fluid(water(mesh.nCells()));
-            fluid.U = phase.grains.U[0];
-            fluid.convection = none;
-            forces.prepare(fluid, interval);
-            forces.finish
-            (
-                fluidMeans
-                {
-                    fluid.U, none, vectorField(mesh.nCells(), gradient), none
-                }
-            );
-            EXPECT_LT(forces.residual(), 1e-12);
-            EXPECT_EQ(max(mag(forces.pressureShare())) > 0,
-                drag != "none" && strength > 0);
-            return forces.force()[0];
-        };
-
+        loneGrain grain(d);
+        const auto forces = grain.forces
+        (
+            "drag { model none; } excessPressure { strength "
+          + Foam::name(strength) + "; }",
+            water(grain.box.mesh().nCells()),
+            gradient
+        );
         const vector exact
         (
            -volumeOf(d)*(atRest + strength*(gradient - atRest))
         );
-        EXPECT_LT(mag(forceWith("none") - exact), 1e-12*mag(exact));
+        EXPECT_LT(mag(forces->force()[0] - exact), 1e-12*mag(exact));
+        EXPECT_EQ(max(mag(forces->pressureShare())), 0);
+    }
+}
 
-        // With drag the water takes its share of the same load, no other
-        EXPECT_LT(mag(forceWith("DiFelice") - exact), 0.05*mag(exact));
+
+TEST(excessPressure, isPassedOnAsDragWhereItMovesTheGrain)
+{
+    // So small that it takes on most of the water's velocity in an interval
+    constexpr scalar d = 1e-4;
+    const vector gradient(30000, -20000, -9000);
+    const vector atRest(rhoWater*g);
+    const scalar V = volumeOf(d);
+
+    for (const scalar strength : {0.0, 0.3, 1.0})
+    {
+        // Share of its weight that contacts bear
+        for (const scalar borne : {0.0, 0.5, 1.0})
+        {
+            loneGrain grain(d);
+            const scalar m = grain.phase.grains.mass[0];
+            const vector v(grain.phase.grains.U[0]);
+            grain.phase.total = vectorField(1, (1 - borne)*m*g);
+
+            const fluidFields fluid(water(grain.box.mesh().nCells()));
+            const vector u(fluid.U[0]);
+            const auto forces = grain.forces
+            (
+                "drag { model SchillerNaumann; } excessPressure { strength "
+              + Foam::name(strength) + "; }",
+                fluid,
+                gradient
+            );
+
+            // m (v1 - v)/interval = K (u - v1) + weight that is not borne
+            //     - V gradient
+            const scalar K =
+                3*constant::mathematical::pi*muWater*d
+               *(1 + 0.15*Foam::pow(rhoWater*mag(u - v)*d/muWater, 0.687));
+            ASSERT_GT(K*interval/m, 1.8);
+
+            const vector pressed
+            (
+               -V*(atRest + strength*(gradient - atRest))
+            );
+            const vector v1
+            (
+                (m*v + interval*(K*u + (1 - borne)*m*g + pressed))
+               /(m + K*interval)
+            );
+            const vector exact(K*(u - v1) + pressed);
+
+            EXPECT_LT(mag(forces->force()[0] - exact), 1e-9*mag(exact))
+                << "strength " << strength << ", borne " << borne;
+            EXPECT_EQ(max(mag(forces->pressureShare())) > 0, strength > 0);
+        }
     }
 }
