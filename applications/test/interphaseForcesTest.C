@@ -522,3 +522,122 @@ TEST(excessPressure, isPassedOnAsDragWhereItMovesTheGrain)
         }
     }
 }
+
+
+TEST(loneGrain, isLiftedBySpinAsRubinowAndKeller)
+{
+    constexpr scalar d = 1e-4;
+    loneGrain grain(d);
+    const vector slip(0.003, -0.002, 0.001);
+    const vector vorticity(1, -2, 5);
+    const vector omega(0.5, 3, -1);
+    grain.phase.grains.omega = omega;
+
+    fluidFields fluid(water(grain.box.mesh().nCells()));
+    fluid.U = grain.phase.grains.U[0] + slip;
+    fluid.vorticity = vorticity;
+    ASSERT_LT(rhoWater*mag(slip)*d/muWater, 1);
+
+    const auto forces = grain.forces
+    (
+        "drag { model none; } rotationalDrag { model none; }"
+        " lift { model LunLiu; }",
+        fluid
+    );
+
+    // pi rho a^3 omega x V of a sphere that goes at V and spins at omega in
+    // fluid at rest: seen from fluid that goes along and turns with the water
+    const vector exact
+    (
+        constant::mathematical::pi*rhoWater*pow3(d/2)
+       *((omega - 0.5*vorticity) ^ -slip)
+    );
+    testNumber
+    (
+        "relative error", mag(forces->force()[0] - exact)/mag(exact)
+    );
+    EXPECT_LT(mag(forces->force()[0] - exact), 1e-10*mag(exact));
+    EXPECT_EQ(forces->torque()[0], vector(Zero));
+}
+
+
+TEST(loneGrain, thatLagsInAShearIsLiftedTowardsTheFasterWater)
+{
+    constexpr scalar d = 1e-4;
+    constexpr scalar shear = 5;
+
+    for (const scalar lag : {1e-5, -1e-5})
+    {
+        // Water that goes at shear*z along x
+        loneGrain grain(d);
+        fluidFields fluid(water(grain.box.mesh().nCells()));
+        fluid.U = grain.phase.grains.U[0] + vector(lag, 0, 0);
+        fluid.vorticity = vector(0, shear, 0);
+
+        const auto forces = grain.forces
+        (
+            "drag { model none; } rotationalDrag { model none; }"
+            " lift { model SaffmanMei; }",
+            fluid
+        );
+
+        // Saffman: 6.46 mu a^2 sqrt(shear/nu) lag
+        const vector exact
+        (
+            0,
+            0,
+            6.46*muWater*sqr(d/2)*Foam::sqrt(shear*rhoWater/muWater)*lag
+        );
+        EXPECT_LT(mag(forces->force()[0] - exact), 1e-3*mag(exact));
+        EXPECT_EQ(forces->torque()[0], vector(Zero));
+    }
+}
+
+
+TEST(loneGrain, isTurnedUntilItSpinsWithTheWater)
+{
+    constexpr scalar d = 1e-4;
+    const vector vorticity(1, -2, 5);
+    const vector omega(0.5, 3, -1);
+    const scalar c = constant::mathematical::pi*muWater*pow3(d);
+
+    for (const bool held : {false, true})
+    {
+        loneGrain grain(d);
+        grain.phase.grains.omega = omega;
+        if (held)
+        {
+            grain.phase.held.insert(0);
+        }
+
+        fluidFields fluid(water(grain.box.mesh().nCells()));
+        fluid.vorticity = vorticity;
+        const string laws
+        (
+            "drag { model none; } rotationalDrag { model Dennis; }"
+        );
+        const auto forces = grain.forces(laws, fluid);
+
+        // I (omega1 - omega)/interval = c (vorticity/2 - omega1)
+        const scalar I = grain.phase.grains.mass[0]*sqr(d)/10;
+        ASSERT_GT(c*interval/I, 1);
+        const vector omega1
+        (
+            held
+          ? omega
+          : (I*omega + interval*c*vorticity/2)/(I + c*interval)
+        );
+        const vector exact(c*(vorticity/2 - omega1));
+
+        testNumber
+        (
+            "relative error", mag(forces->torque()[0] - exact)/mag(exact)
+        );
+        EXPECT_LT(mag(forces->torque()[0] - exact), 1e-12*mag(exact));
+        EXPECT_EQ(forces->force()[0], vector(Zero));
+
+        // A vortex of twice the spin takes it along
+        fluid.vorticity = 2*omega;
+        EXPECT_LT(mag(grain.forces(laws, fluid)->torque()[0]), 1e-15*c);
+    }
+}
