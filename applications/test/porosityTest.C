@@ -224,6 +224,62 @@ void expectSpread()
     EXPECT_GE(gMin(p.solidFraction()), 0);
 }
 
+
+//- Volume of a grain at p in the cell around each of the places, over the
+//  grain's own, with caps and without smoothing
+scalarList capShares
+(
+    const testBox& b,
+    const point& p,
+    const List<point>& places
+)
+{
+    testMesh test(b);
+    standingGrains phase(test.mesh());
+    place(phase, pointField(1, p), radius);
+    grainExchange exchange(test.mesh());
+    exchange.locate(phase);
+
+    porosity pores(exchange, settings("caps", "none"));
+    pores.update();
+    EXPECT_EQ(pores.spreadVolume(), 0);
+
+    scalarList shares;
+    for (const point& at : places)
+    {
+        const label cell = test.mesh().findCell(at);
+        shares.append
+        (
+            pores.solidFraction()[cell]*test.mesh().V()[cell]/volumeOf(1)
+        );
+    }
+    return shares;
+}
+
+
+//- Share of a sphere in its cap beyond a plane at the distance h of its centre
+scalar capShare(const scalar h)
+{
+    const scalar height = radius - h;
+    return
+        constant::mathematical::pi*sqr(height)*(3*radius - height)/3
+       /volumeOf(1);
+}
+
+
+//- Sum of V a (x - middle)^2 over that of V a, for x, y and z
+vector secondMoment
+(
+    const fvMesh& mesh,
+    const scalarField& a,
+    const point& middle
+)
+{
+    const scalarField weight(mesh.V().field()*a);
+    const vectorField r(mesh.C().primitiveField() - middle);
+    return sum(weight*cmptMultiply(r, r))/sum(weight);
+}
+
 } // End anonymous namespace
 
 
@@ -259,6 +315,154 @@ TEST(porosity, shiftsWithTheGrains)
 {
     expectShifted("divided");
     expectShifted("caps");
+}
+
+
+TEST(caps, aGrainBesideAFaceHasItsCapBeyond)
+{
+    // Middle of a cell, and of those around
+    const point c(0.4375, 0.4375, 0.4375);
+    const scalar w = 0.125;
+    const vector x(w, 0, 0);
+
+    for (const scalar s : {0.05, 0.3, 0.5, 0.9})
+    {
+        for (direction k = 0; k < 3; ++k)
+        {
+            for (const scalar side : {-1, 1})
+            {
+                vector n(Zero);
+                n[k] = side;
+                const scalarList shares
+                (
+                    capShares
+                    (
+                        box(), c + (w/2 - s*radius)*n, {c, c + w*n, c - w*n}
+                    )
+                );
+                EXPECT_NEAR(shares[1], capShare(s*radius), 1e-12);
+                EXPECT_NEAR(shares[0], 1 - capShare(s*radius), 1e-12);
+                EXPECT_EQ(shares[2], 0);
+            }
+        }
+    }
+
+    // It reaches no plane, or only a wall
+    EXPECT_NEAR(capShares(box(), c, {c})[0], 1, 1e-12);
+    const point corner(w/2, w/2, c.z());
+    const scalarList atWall
+    (
+        capShares(box(), point(0.01, w/2, c.z()), {corner, corner + x})
+    );
+    EXPECT_NEAR(atWall[0], 1, 1e-12);
+    EXPECT_EQ(atWall[1], 0);
+}
+
+
+TEST(caps, aGrainOnACornerIsInEightEqualParts)
+{
+    const point corner(0.5, 0.5, 0.5);
+    pointField around;
+    for (label i = 0; i < 8; ++i)
+    {
+        const vector to(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+        around.append(corner + 0.0625*to);
+    }
+
+    for (const scalar share : capShares(box(), corner, around))
+    {
+        EXPECT_NEAR(share, 0.125, 1e-12);
+    }
+
+    // Beside it, the parts beyond each plane are its cap
+    const vector h(0.01, 0.02, 0.03);
+    const scalarList shares(capShares(box(), corner - h, around));
+    for (direction k = 0; k < 3; ++k)
+    {
+        scalar beyond = 0;
+        forAll(shares, i)
+        {
+            beyond += (i & (1 << k)) ? shares[i] : 0;
+        }
+        EXPECT_NEAR(beyond, capShare(h[k]), 1e-12);
+    }
+
+    // And those beyond several planes the product
+    EXPECT_NEAR
+    (
+        shares[7], capShare(h.x())*capShare(h.y())*capShare(h.z()), 1e-12
+    );
+}
+
+
+TEST(caps, aCellThinnerThanTheGrainHasCapsOnBothSides)
+{
+    testBox thin(box());
+    thin.cells = labelVector(12, 8, 8);
+    const scalar w = 1.0/12;
+    const point c(5.5*w, 0.4375, 0.4375);
+    const vector x(w, 0, 0);
+    ASSERT_GT(2*radius, w);
+
+    for (const scalar off : {0.0, 0.01, -0.015})
+    {
+        const scalarList shares
+        (
+            capShares(thin, c + vector(off, 0, 0), {c - x, c, c + x})
+        );
+        const scalar below = capShare(w/2 + off);
+        const scalar above = capShare(w/2 - off);
+        EXPECT_NEAR(shares[0], below, 1e-12);
+        EXPECT_NEAR(shares[1], 1 - below - above, 1e-12);
+        EXPECT_NEAR(shares[2], above, 1e-12);
+    }
+}
+
+
+TEST(diffusion, aPointBecomesABellCurveOfTheWidth)
+{
+    testBox b;
+    b.cells = labelVector(33, 25, 21);
+    testMesh test(b);
+
+    // Two grains in the middle cell; their mean diameter is sum V d/sum V
+    const point middle(0.5, 0.5, 0.5);
+    standingGrains phase(test.mesh());
+    place(phase, pointField(2, middle), 0.008);
+    phase.radii[1] = 0.02;
+    grainExchange exchange(test.mesh());
+    exchange.locate(phase);
+    const scalar d =
+        (pow4(0.016) + pow4(0.04))/(pow3(0.016) + pow3(0.04));
+
+    // Of exp(-r^2/width^2) it is width^2/2; that of the cell, seen from its
+    // middle, is none
+    const scalar exact = sqr(2*d)/2;
+
+    porosity pores(exchange, settings("centre", "diffusion"));
+    pores.update();
+    const vector moment
+    (
+        secondMoment(test.mesh(), pores.solidFraction(), middle)
+    );
+    for (direction k = 0; k < 3; ++k)
+    {
+        testNumber("relative error", moment[k]/exact - 1);
+        EXPECT_NEAR(moment[k]/exact, 1, 1e-9);
+    }
+
+    // What grains see of the fluid is smoothed alike
+    scalarField one(test.mesh().nCells(), Zero);
+    one[test.mesh().findCell(middle)] = 1;
+    EXPECT_LT
+    (
+        mag
+        (
+            secondMoment(test.mesh(), pores.smoothed(one), middle)
+          - vector::uniform(exact)
+        ),
+        1e-9*exact
+    );
 }
 
 
