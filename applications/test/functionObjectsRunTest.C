@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Function objects on a mesh, live and on written grains.
 
+#include "basalStress.H"
 #include "bedErosion.H"
 #include "collisionLoad.H"
 #include "grainStress.H"
@@ -17,6 +18,7 @@
 #include "OSspecific.H"
 #include "mathematicalConstants.H"
 #include "surfaceFields.H"
+#include "unitConversion.H"
 
 #include <gtest/gtest.h>
 
@@ -104,6 +106,24 @@ protected:
             g.stressMoment[i] = symmTensor(-1, 0, 0, -1, 0, -1);
         }
         g.wallForce.insert("zMin", wall);
+    }
+
+    //- Grains of 20 mm in a cubic lattice from x = 0 to n*20 mm, over the
+    //  width of the tank, five layers from the base up
+    void placeLattice(const label n)
+    {
+        constexpr scalar d = 0.02;
+        grainSnapshot& g = grains_.grains;
+        g = grainSnapshot(n*50*5);
+        grains_.radii = scalarField(g.size(), d/2);
+        g.d = d;
+        g.type = 1;
+
+        forAll(g.position, i)
+        {
+            g.position[i] =
+                d*vector(i % n + 0.5, i/n % 50 + 0.5, i/n/50 + 0.5);
+        }
     }
 
     dictionary dict(const string& entries) const
@@ -363,6 +383,128 @@ TEST_F(tank, aMovingFrontHasItsVelocityAndFroudeNumber)
     ASSERT_EQ(line.size(), 12);
     EXPECT_NEAR(line[6], 10, 1e-3);
     EXPECT_NEAR(line[11], line[6]/Foam::sqrt(9.81*line[10]), 1e-3);
+}
+
+
+TEST_F(tank, theFrontAndThicknessOfALatticeInWaterAreItsOwn)
+{
+    // Water 0.1 m deep as far as x = 0.5, of half that as far as 0.75
+    forAll(alpha_, i)
+    {
+        const point& c = box_.mesh().C()[i];
+        alpha_[i] =
+            c.z() > 0.25 || c.x() > 0.75 ? 0 : c.x() < 0.5 ? 0.4 : 0.2;
+    }
+    const scalar deep = 0.8*0.1;
+
+    functionObjects::surgeFront front
+    (
+        "front",
+        box_.time(),
+        dict("stripWidth 0.05; headLength 0.3; thickness mixture;")
+    );
+
+    // It ends where a strip does
+    placeLattice(30);
+    ++box_.time();
+    front.execute();
+    front.write();
+    const scalarList even(lastLine("front", "surgeFront"));
+    ASSERT_EQ(even.size(), 12);
+    EXPECT_NEAR(even[1], 0.6, 1e-6);
+    EXPECT_NEAR(even[2], 0.99*0.6, 1e-6);
+    EXPECT_NEAR(even[3], 0.59, 1e-6);
+    EXPECT_NEAR(even[4], 0.75, 1e-6);
+    EXPECT_NEAR(even[5], 0.6, 1e-6);
+
+    // A quarter of the lowest and of the highest layer is left out: of a sphere
+    // of radius 1 it lies up to x with x^3 - 3 x^2 + 1 = 0
+    const scalar x = 1 - 2*Foam::cos(degToRad(80));
+    ASSERT_NEAR(pow3(x) - 3*sqr(x) + 1, 0, 1e-12);
+    EXPECT_NEAR(even[7], (0.1 - 2*0.01*x)/0.9, 5e-5);
+
+    // From x = 0.3 to 0.6
+    const scalar water = deep*(2 + 0.5)/3;
+    const scalar solid = 0.1*constant::mathematical::pi/6;
+    EXPECT_NEAR(even[8], water, 1e-6);
+    EXPECT_NEAR(even[9], water + solid, 1e-6);
+    EXPECT_NEAR(even[10], even[9], 1e-6);
+
+    // Within a strip
+    placeLattice(29);
+    ++box_.time();
+    front.execute();
+    front.write();
+    const scalarList within(lastLine("front", "surgeFront"));
+    EXPECT_NEAR(within[1], 0.58, 1e-6);
+    EXPECT_NEAR(within[3], 0.57, 1e-6);
+    EXPECT_NEAR(within[4], 0.75, 1e-6);
+    EXPECT_NEAR(within[8], deep*(0.22 + 0.5*0.08)/0.3, 1e-6);
+}
+
+
+TEST_F(tank, aCouetteFlowDragsItsWallsAlong)
+{
+    constexpr scalar shear = 20;
+    OFstream(box_.folder()/"constant"/"transportProperties")()
+        << "FoamFile { version 2.0; format ascii; class dictionary;"
+        << " object transportProperties; }\n"
+        << "phases (water air); water { nu 2e-6; rho 1000; }"
+        << " air { nu 1.5e-5; rho 1; }\n";
+
+    // Along x and y, faster with z
+    const fvMesh& mesh = box_.mesh();
+    const vector along(0.6, 0.8, 0);
+    volVectorField U
+    (
+        IOobject("U", box_.time().timeName(), mesh),
+        mesh,
+        dimensionedVector(dimVelocity, Zero),
+        "fixedValue"
+    );
+    U.primitiveFieldRef() = shear*along*mesh.C().component(vector::Z)
+       ().primitiveField();
+    for (fvPatchVectorField& patch : U.boundaryFieldRef())
+    {
+        patch ==
+            shear*along*patch.patch().Cf().component(vector::Z);
+    }
+    for (scalarField& patch : alpha_.boundaryFieldRef())
+    {
+        patch = 0.75;
+    }
+
+    const scalar mu = 0.75*1000*2e-6 + 0.25*1*1.5e-5;
+    const scalar tau = 0.8*mu*shear;
+
+    // The water drags the base along, and holds back the lid
+    label n = 0;
+    for (const word side : {"zMin", "zMax"})
+    {
+        for (const vector& to : {vector(1, 0, 0), vector(-1, 2, 0)})
+        {
+            const word name("stress" + Foam::name(n++));
+            dictionary settings(dict("patches (" + side + "); binWidth 10;"));
+            settings.add("direction", to);
+            functionObjects::basalStress stress(name, box_.time(), settings);
+            stress.write();
+
+            const scalarList line(lastLine(name, "basalStress"));
+            ASSERT_EQ(line.size(), 9);
+            const scalar expected =
+                (side == "zMin" ? tau : -tau)*(along & to)/mag(to);
+            EXPECT_NEAR(line[6]/expected, 1, 1e-5) << side << to.y();
+            EXPECT_NEAR(line[8]/expected, 1, 1e-5) << side << to.y();
+
+            // A hundred grains press on 1 m2 of the base, each with 2 N
+            const scalar grains = side == "zMin" ? 200 : 0;
+            EXPECT_NEAR(line[2], 1, 1e-9);
+            EXPECT_NEAR(line[3], grains, 1e-3);
+            EXPECT_NEAR(line[4], 0, 1e-9);
+            EXPECT_NEAR(line[5], 4905, 1e-3);
+            EXPECT_NEAR(line[7], grains + 4905, 1e-2);
+        }
+    }
 }
 
 
