@@ -8,6 +8,8 @@
 
 #include "IStringStream.H"
 #include "OSspecific.H"
+#include "fvOptionList.H"
+#include "fvmDdt.H"
 
 #include <gtest/gtest.h>
 
@@ -81,6 +83,49 @@ struct halfFull
             box.mesh()
         ).force();
     }
+
+    //- Velocity of fluid that nothing but an option acts on, after n steps; its
+    //  mass per volume is that of water and air times a void fraction that
+    //  varies along x
+    vectorField moved
+    (
+        const string& option,
+        const vector& U0,
+        const scalar deltaT,
+        const label n
+    )
+    {
+        const fvMesh& mesh = box.mesh();
+        forAll(*voidFraction, cell)
+        {
+            (*voidFraction)[cell] = 0.5 + 0.2*mesh.C()[cell].x();
+        }
+        const volScalarField mass
+        (
+            "mass",
+            *voidFraction
+           *(
+                *alpha*dimensionedScalar("water", dimDensity, 1000)
+              + (1 - *alpha)*dimensionedScalar("air", dimDensity, 1.2)
+            )
+        );
+        volVectorField U
+        (
+            IOobject("U", "0", mesh),
+            mesh,
+            dimensionedVector("U", dimVelocity, U0)
+        );
+        fv::optionList options(mesh, entries("only { " + option + " }"));
+
+        box.time().setDeltaT(deltaT, false);
+        for (label i = 0; i < n; ++i)
+        {
+            ++box.time();
+            fvVectorMatrix UEqn(fvm::ddt(mass, U) == options(mass, U));
+            UEqn.solve();
+        }
+        return U.primitiveField();
+    }
 };
 
 } // End anonymous namespace
@@ -126,6 +171,34 @@ TEST(locatedPush, neighboursAddUpToAUniformOne)
 }
 
 
+TEST(locatedPush, givesItsImpulseToTheWaterAndNoneToTheAir)
+{
+    // From 0.1 s to 1 s, strongest at 0.4 s: of even rise and fall the steps
+    // have the exact sum
+    constexpr scalar impulse = -30*(0.3 + 0.6)/2;
+    halfFull w;
+    const vectorField U
+    (
+        w.moved
+        (
+            "type locatedPush; direction (2 0 0); force -30; place 1;"
+            " reach (0.5 1); time 0.4; lasting (0.3 0.6);",
+            vector(0.2, 0.1, 0),
+            0.05,
+            30
+        )
+    );
+    forAll(U, cell)
+    {
+        const point& c = w.box.mesh().C()[cell];
+        const scalar share =
+            c.z() > 0.5 ? 0 : c.x() < 1 ? max(2*c.x() - 1, 0.0) : 2 - c.x();
+        const vector exact(0.2 + share*impulse/1000, 0.1, 0);
+        EXPECT_LT(mag(U[cell] - exact), 1e-12) << c.x() << ' ' << c.z();
+    }
+}
+
+
 TEST(locatedPush, outsideTheMeshOrWithoutReachIsRefused)
 {
     halfFull w;
@@ -163,6 +236,62 @@ TEST(sideWallFriction, isPoiseuilleAtRestAndDarcyWeisbachInHaste)
         entries("type sideWallFriction; width 0.1; strength 0;"), box.mesh()
     );
     EXPECT_EQ(none.rate(1e-6, U), 0);
+}
+
+
+TEST(sideWallFriction, slowsAFlowAsItsLawsIntegrated)
+{
+    const vector U0(0.3, -0.4, 0);
+    constexpr scalar deltaT = 0.1;
+    constexpr label n = 50;
+    constexpr scalar W = 0.1;
+    constexpr scalar f = 0.024;
+    constexpr scalar nuWater = 1e-4;
+    constexpr scalar nuAir = 3e-4;
+
+    halfFull turbulent;
+    const autoPtr<volScalarField> none
+    (
+        turbulent.field("nu", dimViscosity)
+    );
+
+    // dU/dt = -f U^2/(4 W), of which each step makes the exact
+    // 1/U = 1/U0 + f t/(4 W)
+    const vector darcyWeisbach
+    (
+        U0/(1 + mag(U0)*f*n*deltaT/(4*W))
+    );
+    for
+    (
+        const vector& U :
+        turbulent.moved
+        (
+            "type sideWallFriction; width 0.1; friction 0.024;", U0, deltaT, n
+        )
+    )
+    {
+        EXPECT_LT(mag(U - darcyWeisbach), 1e-12);
+    }
+
+    // dU/dt = -12 nu U/W^2, implicit
+    halfFull laminar;
+    autoPtr<volScalarField> nu(laminar.field("nu", dimViscosity));
+    nu->primitiveFieldRef() =
+        *laminar.alpha*nuWater + (1 - *laminar.alpha)*nuAir;
+    const vectorField U
+    (
+        laminar.moved
+        (
+            "type sideWallFriction; width 0.1; friction 0; strength 0.5;",
+            U0, deltaT, n
+        )
+    );
+    forAll(U, cell)
+    {
+        const scalar rate = 0.5*12*(*nu)[cell]/sqr(W);
+        const vector exact(U0*Foam::pow(1 + rate*deltaT, -scalar(n)));
+        EXPECT_LT(mag(U[cell] - exact), 1e-12);
+    }
 }
 
 
