@@ -87,6 +87,9 @@ class correctedWorld
 
     List<observed> data_;
 
+    //- Share by which a finer mesh changes B
+    scalar finer_ = 0;
+
 
     vec simulated
     (
@@ -155,6 +158,11 @@ public:
         }
     }
 
+    void changeWhereFiner(const scalar share)
+    {
+        finer_ = share;
+    }
+
     List<samples> operator()(const List<runState>& states) override
     {
         List<samples> all(states.size());
@@ -179,7 +187,7 @@ public:
             }
             else
             {
-                all[i].gate = f;
+                all[i].gate = (s.resolution == "base" ? 1 : 1 + finer_)*f;
             }
             for (const correctionElement& e : elements_)
             {
@@ -219,9 +227,9 @@ settings poorSettings()
 }
 
 
-finding diagnosed(correctedWorld& w)
+finding diagnosed(correctedWorld& w, const settings& set = poorSettings())
 {
-    diagnosis d(w, poorSettings());
+    diagnosis d(w, set);
     const finding f(d());
     std::printf("%s: %s\n", f.verdict.c_str(), f.told.c_str());
     for (const correctionFound::law& l : f.correction.laws)
@@ -232,6 +240,31 @@ finding diagnosed(correctedWorld& w)
 }
 
 } // End anonymous namespace
+
+
+TEST(misfitUnknown, theErrorOfTheMeshInAnotherExperimentCountsThere)
+{
+    settings set(poorSettings());
+    set.resolutions = wordList({"finer"});
+    List<vec> sigma;
+    for (const scalar share : {0.0, 0.1})
+    {
+        HashTable<scalar> push;
+        push.insert("push2_2", -45);
+        correctedWorld w(push, push, 500);
+        w.changeWhereFiner(share);
+        const finding f(diagnosed(w, set));
+        for (const heldOut& h : f.correction.held)
+        {
+            if (h.what == "experiment B")
+            {
+                sigma.append(h.sigma);
+            }
+        }
+    }
+    ASSERT_EQ(sigma.size(), 2);
+    EXPECT_GT((sigma[1] - sigma[0]).maxCoeff(), 0.5*sigma[0].maxCoeff());
+}
 
 
 TEST(misfitUnknown, aPushThatNoCandidateIsIsFoundInItsPlace)
@@ -353,7 +386,7 @@ TEST(misfitUnknown, noiseAloneLeavesTheCorrectionZero)
         unknownPath path
         (
             w, set, bounds, bounds.deviation, fit, gate,
-            fit.weigh(set.formulaTolerance).base()
+            fit.weigh(set.formulaTolerance).base(), {}
         );
         const correctionFound c(path(design));
         EXPECT_TRUE(c.parts.empty()) << c.told;

@@ -16,7 +16,7 @@ void Foam::misfit::diagnosis::correct()
     const weighed base(baseline());
     unknownPath path
     (
-        sampler_, settings_, bounds_, width_, *fit_, *gate_, base
+        sampler_, settings_, bounds_, width_, *fit_, *gate_, base, elsewhere_
     );
     found_.correction = path(parameterDesign());
 

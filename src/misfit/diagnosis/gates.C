@@ -406,6 +406,7 @@ void Foam::misfit::diagnosis::addHeldOut()
                 leaveOut(states[k], given[k].failure);
             }
         }
+        elsewhere_.insert({other.experiment, known});
         if (given[0].ok() && given[1].ok())
         {
             add

@@ -341,11 +341,13 @@ Foam::misfit::unknownPath::unknownPath
     const vec& width,
     const sampledModel& fit,
     const sampledModel& gate,
-    const weighed& base
+    const weighed& base,
+    const std::map<word, covariance>& elsewhere
 )
 :
     sampler_(s),
     settings_(set),
+    elsewhere_(elsewhere),
     covariance_(base.covariance),
     white_(covariance_)
 {

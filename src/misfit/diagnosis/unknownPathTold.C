@@ -118,7 +118,7 @@ void Foam::misfit::unknownPath::holdOut
                 "experiment " + other.experiment, other.use, recorded,
                 gates ? before.gate : before.score,
                 gates ? after.gate : after.score,
-                covariance(recorded, settings_.trigger)
+                elsewhere_.at(other.experiment)
             );
             if (gates && recorded.size())
             {

@@ -104,13 +104,17 @@ bool Foam::historyForce::write(const fileName& folder) const
         return true;
     }
 
-    List<labelList> ids(Pstream::nProcs());
-    List<vectorList> numbers(Pstream::nProcs());
+    DynamicList<label> ourIds;
+    DynamicList<vector> ourNumbers;
     for (const label id : past_.sortedToc())
     {
-        ids[Pstream::myProcNo()].append(id);
-        numbers[Pstream::myProcNo()].append(past_[id]);
+        ourIds.append(id);
+        ourNumbers.append(past_[id]);
     }
+    List<labelList> ids(Pstream::nProcs());
+    List<vectorList> numbers(Pstream::nProcs());
+    ids[Pstream::myProcNo()].transfer(ourIds);
+    numbers[Pstream::myProcNo()].transfer(ourNumbers);
     Pstream::gatherList(ids);
     Pstream::gatherList(numbers);
     if (!Pstream::master())
