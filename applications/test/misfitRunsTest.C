@@ -288,6 +288,34 @@ TEST(misfitRuns, aCommandMayHaveAPath)
 }
 
 
+TEST(misfitRuns, aCaseIsCutAsItSaysItself)
+{
+    // Without a mesh that is as far as it comes
+    const std::string own("numberOfSubdomains 2; method scotch;\n");
+    for (const bool has : {true, false})
+    {
+        const fakeCase c;
+        if (has)
+        {
+            c.write("system/decomposeParDict", own);
+        }
+        fakePredictor predict(c, "ranks 2; ");
+        EXPECT_FALSE(predict({withSlope(3)}).first().ok());
+        const fileName runs(c.folder()/"misfit"/"runs");
+        const std::string cut
+        (
+            content
+            (
+                runs/readDir(runs, fileName::DIRECTORY).first()
+               /"case/system/decomposeParDict"
+            )
+        );
+        EXPECT_EQ(cut == own, has) << cut;
+        EXPECT_NE(cut.find("numberOfSubdomains 2;"), std::string::npos);
+    }
+}
+
+
 TEST(misfitRuns, aCrashIsKeptWithItsReason)
 {
     const fakeCase c;
