@@ -316,6 +316,31 @@ TEST(misfitRuns, aCaseIsCutAsItSaysItself)
 }
 
 
+TEST(misfitRuns, runsOfOtherProgramsAreNotUsedWithoutAWord)
+{
+    const fakeCase c;
+    const string before(getEnv("FOAM_USER_LIBBIN"));
+    mkDir(c.folder()/"lib");
+    c.write("lib/libmine.so", "one");
+    setEnv("FOAM_USER_LIBBIN", c.folder()/"lib", true);
+    const auto told = [&]()
+    {
+        testing::internal::CaptureStdout();
+        testing::internal::CaptureStderr();
+        EXPECT_TRUE(once(c, {withSlope(2)}).first().ok());
+        return
+            testing::internal::GetCapturedStdout()
+          + testing::internal::GetCapturedStderr();
+    };
+    const char* changed = "libraries have changed";
+    EXPECT_EQ(told().find(changed), std::string::npos);
+    EXPECT_EQ(told().find(changed), std::string::npos);
+    c.write("lib/libmine.so", "two");
+    EXPECT_NE(told().find(changed), std::string::npos);
+    setEnv("FOAM_USER_LIBBIN", before, true);
+}
+
+
 TEST(misfitRuns, aCrashIsKeptWithItsReason)
 {
     const fakeCase c;

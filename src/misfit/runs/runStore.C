@@ -3,6 +3,7 @@
 
 #include "runStore.H"
 #include "keywords.H"
+#include "programFiles.H"
 #include "temporaryFolder.H"
 #include "textFile.H"
 
@@ -209,6 +210,35 @@ void Foam::misfit::runStore::takeLock()
 }
 
 
+void Foam::misfit::runStore::checkSamePrograms
+(
+    const List<wantedRun>& runs
+) const
+{
+    const fileName file(folder_/"programs");
+    const string now(programFiles(commands_));
+    const string then(contentOf(file));
+    label nDone = 0;
+    for (const wantedRun& run : runs)
+    {
+        nDone += isFinished(run);
+    }
+
+    if (!nDone || then.empty())
+    {
+        writeWhole(file, now);
+    }
+    else if (then != now)
+    {
+        WarningInFunction
+            << "Programs or libraries have changed since the first of the runs in "
+            << folder_ << " was done; " << nDone << " finished ones are used."
+            << nl << "    Remove that folder if what the programs compute has"
+            << " changed, or the file programs in it if it has not." << endl;
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::misfit::runStore::runStore
@@ -401,6 +431,7 @@ void Foam::misfit::runStore::finish(const List<wantedRun>& runs)
     if (lock_ < 0)
     {
         takeLock();
+        checkSamePrograms(runs);
     }
 
     wordHashSet todo;

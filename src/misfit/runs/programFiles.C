@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which programs make the runs, to tell when they are others.
+
+#include "programFiles.H"
+
+#include "OSspecific.H"
+#include "fileNameList.H"
+#include "stringOps.H"
+
+#include <set>
+
+namespace
+{
+
+using namespace Foam;
+
+//- Where the shell finds a program; itself, if it has a path
+fileName onPath(const string& program)
+{
+    const string path(getEnv("PATH"));
+    for (const auto& folder : stringOps::split(path, ':'))
+    {
+        const fileName file(fileName(folder.str())/program);
+        if (program.find('/') == string::npos && isFile(file, false))
+        {
+            return file;
+        }
+    }
+    return program;
+}
+
+} // End anonymous namespace
+
+
+Foam::string Foam::misfit::programFiles(const stringList& commands)
+{
+    std::set<fileName> files;
+    for (const string& c : commands)
+    {
+        const auto words(stringOps::splitSpace(c));
+        if (words.size())
+        {
+            files.insert(onPath(words[0].str()));
+        }
+    }
+    const fileName libraries(getEnv("FOAM_USER_LIBBIN"));
+    for (const fileName& f : readDir(libraries, fileName::FILE, false))
+    {
+        files.insert(libraries/f);
+    }
+
+    string told;
+    for (const fileName& f : files)
+    {
+        told +=
+            f + ' ' + std::to_string(fileSize(f)) + ' '
+          + std::to_string(highResLastModified(f)) + '\n';
+    }
+    return told;
+}
