@@ -315,6 +315,20 @@ void show(const finding& f)
 }
 
 
+//- What a gate said; true where it was not asked
+bool passes(const finding& f, const word& name)
+{
+    for (const gate& g : f.gates)
+    {
+        if (g.name == name && g.applies && !g.passed)
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+
 //- Whatever their order
 void expectAnswer(const finding& f, const word& verdict, wordList names)
 {
@@ -620,6 +634,41 @@ TEST(misfitDiagnosis, whatIsNotInTheLibraryIsUnknown)
     const finding f(diagnose(s));
     show(f);
     EXPECT_EQ(f.verdict, "unknown");
+}
+
+
+TEST(misfitDiagnosis, whatGainsTooLittleIsNotSaid)
+{
+    settings set(worldSettings());
+    set.evidence = 1e4;
+    worldSampler s(truth(0, 0.7), 200, vec());
+    const finding f(diagnose(s, set));
+    show(f);
+    EXPECT_EQ(passes(f, "evidence"), false);
+    EXPECT_EQ(f.verdict, "none");
+    EXPECT_NE(f.told.find("too little to say why"), std::string::npos);
+}
+
+
+TEST(misfitDiagnosis, whatAnotherChannelContradictsIsNotNamed)
+{
+    // Each of two mechanisms acts at one gauge only
+    world w(20);
+    vec added = vec::Zero(w.data.size());
+    for (const auto& at : {std::make_pair(3, 0), std::make_pair(1, 1)})
+    {
+        const vec effect = w(truth(at.second, 0.9)) - w(truth(-1, 0));
+        const segment& s = w.data.segments[at.first];
+        s.of(added) = s.of(effect);
+    }
+    settings set(worldSettings());
+    set.faults.clear();
+    set.pairs = false;
+    worldSampler s(truth(-1, 0), 200, added);
+    const finding f(diagnose(s, set));
+    show(f);
+    EXPECT_EQ(passes(f, "stability"), false);
+    EXPECT_NE(f.verdict, "named");
 }
 
 
