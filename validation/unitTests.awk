@@ -4,37 +4,76 @@
 #
 #   awk -v name=LABEL -v number=N -v tally=FILE -v status=EXIT \
 #       -f unitTests.awk log
+#
+# The first rank tells how a test ended. What fails on another one has the name
+# of the test before it, "[rank 1] Suite.test: words", since it may come before
+# the first rank begins that test or after it has ended it.
 
-function count(verdict)
+function tell(verdict, what, words)
 {
-    if (verdict == "failed") printf "%s", said
-    printf "%5d  %-8s %s: %s%s\n", ++number, verdict, name, test, numbers
-    print verdict, name ":", test numbers >> tally
+    if (verdict == "failed") printf "%s", words
+    printf "%5d  %-8s %s: %s%s\n", ++number, verdict, name, what, numbers[what]
+    print verdict, name ":", what numbers[what] >> tally
     failures += (verdict == "failed")
-    running = 0
 }
 
-/^\[ RUN      \]/ { test = $4; numbers = said = ""; running = 1; next }
+function begin(what)
+{
+    if (!(what in verdict))
+    {
+        tests[++n] = what
+        verdict[what] = ""
+    }
+}
 
-/^\[  NUMBER  \]/ {
-    sub(/^\[  NUMBER  \] /, "")
-    numbers = numbers "; " $0
+function end(how)
+{
+    # A rank that failed before says more than the first one's end
+    if (verdict[test] == "") verdict[test] = how
+    test = ""
+}
+
+/^\[rank [0-9]+\] [^ ]+: / {
+    which = $3
+    sub(/:$/, "", which)
+    begin(which)
+    verdict[which] = "failed"
+    said[which] = said[which] $0 "\n"
     next
 }
 
-running && /^\[       OK \]/ { count("passed"); next }
+/^\[ RUN      \]/ { begin(test = $4); next }
 
-running && /^\[  SKIPPED \]/ { count("skipped"); next }
+/^\[  NUMBER  \]/ {
+    sub(/^\[  NUMBER  \] /, "")
+    numbers[test] = numbers[test] "; " $0
+    next
+}
 
-running && /^\[  FAILED  \]/ { count("failed"); next }
+test != "" && /^\[       OK \]/ { end("passed"); next }
 
-{ said = said $0 "\n" }
+test != "" && /^\[  SKIPPED \]/ { end("skipped"); next }
+
+test != "" && /^\[  FAILED  \]/ { end("failed"); next }
 
 # Without this line the program did not come to its end
 /^\[==========\] .* ran\./ { ended = 1 }
 
+/^\[[-=]+\]|^\[  PASSED  \]|^\[  FAILED  \]/ { next }
+
+{
+    said[test] = said[test] $0 "\n"
+    all = all $0 "\n"
+}
+
 END {
+    for (i = 1; i <= n; i++)
+        if (verdict[tests[i]] != "")
+            tell(verdict[tests[i]], tests[i], said[tests[i]])
+    if (ended && !n) tell("failed", "no test ran")
     if (ended && (failures || status == 0)) exit
-    test = (running ? test : "the program") " broke off with status " status
-    count("failed")
+    if (test == "")
+        tell("failed", "the program broke off with status " status, all)
+    else
+        tell("failed", test " broke off with status " status, said[test] said[""])
 }

@@ -16,24 +16,43 @@
 
 #include <cstring>
 #include <iostream>
+#include <sstream>
+#include <string>
 
 namespace
 {
 
-//- On ranks other than the first, tell only what fails
+//- On ranks other than the first, tell only what fails. Each line has the name
+//  of the test (validation/unitTests.awk), since lines of ranks mix.
 class failurePrinter
 :
     public testing::EmptyTestEventListener
 {
+    std::string test_ = "outsideOfTests";
+
+    void OnTestStart(const testing::TestInfo& info) override
+    {
+        test_ = std::string(info.test_suite_name()) + '.' + info.name();
+    }
+
     void OnTestPartResult(const testing::TestPartResult& result) override
     {
-        if (result.failed())
+        if (!result.failed())
         {
-            std::cerr
-                << "[rank " << Foam::UPstream::myProcNo() << "] "
-                << result.file_name() << ':' << result.line_number() << '\n'
-                << result.message() << std::endl;
+            return;
         }
+        std::ostringstream all;
+        all << (result.file_name() ? result.file_name() : "?") << ':'
+            << result.line_number() << '\n' << result.message();
+
+        std::istringstream lines(all.str());
+        std::ostringstream told;
+        for (std::string line; std::getline(lines, line);)
+        {
+            told<< "[rank " << Foam::UPstream::myProcNo() << "] " << test_
+                << ": " << line << '\n';
+        }
+        std::cerr << told.str() << std::flush;
     }
 };
 
