@@ -19,6 +19,7 @@
 #include <liggghts/library.h>
 #include <liggghts/modify.h>
 #include <liggghts/compute.h>
+#include <liggghts/update.h>
 
 namespace
 {
@@ -191,10 +192,34 @@ Foam::autoPtr<Foam::grainSnapshot> Foam::liggghtsPhase::snapshot() const
 }
 
 
+void Foam::liggghtsPhase::endInsertions()
+{
+    // One that had brought all its grains before a restart stays due at the first
+    // step, and LIGGGHTS refuses whatever it initialises after that
+    const LAMMPS_NS::Modify& modify = *liggghts_->modify;
+
+    for (label i = 0; i < modify.nfix; ++i)
+    {
+        LAMMPS_NS::Fix& fix = *modify.fix[i];
+
+        if
+        (
+            string(fix.style).substr(0, 7) == "insert/"
+         && fix.next_reneighbor > 0
+         && fix.next_reneighbor < liggghts_->update->ntimestep
+        )
+        {
+            fix.next_reneighbor = 0;
+        }
+    }
+}
+
+
 bool Foam::liggghtsPhase::writeState(const fileName& folder)
 {
     const fileName aside(folder/"state.incomplete");
 
+    endInsertions();
     liggghts_.command("write_restart " + aside);
 
     // The last rank's grains come last in the file
