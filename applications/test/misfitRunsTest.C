@@ -288,6 +288,35 @@ TEST(misfitRuns, aCommandMayHaveAPath)
 }
 
 
+TEST(misfitRuns, aCaseThatIsCutIntoOtherPartsThanRanksIsRefused)
+{
+    const fakeCase c;
+    c.write("system/decomposeParDict", "numberOfSubdomains 4; method scotch;\n");
+    const std::string told
+    (
+        refusal([&]() { const fakePredictor p(c, "ranks 2; "); })
+    );
+    EXPECT_NE(told.find("into 4 parts, and ranks"), std::string::npos) << told;
+    c.write
+    (
+        "system/decomposeParDict",
+        "// Cuts along the chute\nnumberOfSubdomains 4; method simple;\n"
+    );
+    EXPECT_NO_THROW(fakePredictor(c, "ranks 2; "));
+}
+
+
+TEST(misfitRuns, whatCannotBeReadAsAFileIsNotCopied)
+{
+    const fakeCase c;
+    ln("nowhere", c.folder()/"system"/".#misfitDict");
+    c.write("constant/fixed", "as it is\n");
+    chMod(c.folder()/"constant/fixed", 0444);
+    fakePredictor f(c, "files (\"constant/fixed\"); ");
+    EXPECT_TRUE(f({withSlope(3)}).first().ok());
+}
+
+
 TEST(misfitRuns, aCaseIsCutAsItSaysItself)
 {
     // Without a mesh that is as far as it comes
@@ -323,19 +352,20 @@ TEST(misfitRuns, runsOfOtherProgramsAreNotUsedWithoutAWord)
     mkDir(c.folder()/"lib");
     c.write("lib/libmine.so", "one");
     setEnv("FOAM_USER_LIBBIN", c.folder()/"lib", true);
-    const auto told = [&]()
+    const auto told = [&](const scalar slope = 2)
     {
         testing::internal::CaptureStdout();
         testing::internal::CaptureStderr();
-        EXPECT_TRUE(once(c, {withSlope(2)}).first().ok());
+        EXPECT_TRUE(once(c, {withSlope(slope)}).first().ok());
         return
             testing::internal::GetCapturedStdout()
           + testing::internal::GetCapturedStderr();
     };
-    const char* changed = "libraries have changed";
+    const char* changed = "libraries changed";
     EXPECT_EQ(told().find(changed), std::string::npos);
     EXPECT_EQ(told().find(changed), std::string::npos);
     c.write("lib/libmine.so", "two");
+    EXPECT_EQ(told(3).find(changed), std::string::npos);
     EXPECT_NE(told().find(changed), std::string::npos);
     setEnv("FOAM_USER_LIBBIN", before, true);
 }

@@ -43,10 +43,13 @@ Foam::string Foam::misfit::programFiles(const stringList& commands)
             files.insert(onPath(words[0].str()));
         }
     }
-    const fileName libraries(getEnv("FOAM_USER_LIBBIN"));
-    for (const fileName& f : readDir(libraries, fileName::FILE, false))
+    for (const char* name : {"FOAM_USER_LIBBIN", "FOAM_USER_APPBIN"})
     {
-        files.insert(libraries/f);
+        const fileName folder(getEnv(name));
+        for (const fileName& f : readDir(folder, fileName::FILE, false))
+        {
+            files.insert(folder/f);
+        }
     }
 
     string told;

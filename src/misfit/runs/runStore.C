@@ -8,6 +8,8 @@
 #include "textFile.H"
 
 #include "fileNameList.H"
+#include "FlatOutput.H"
+#include "IFstream.H"
 #include "OSspecific.H"
 #include "SHA1.H"
 #include "stringOps.H"
@@ -38,6 +40,34 @@ void filesBelow(const fileName& folder, fileNameList& files)
 }
 
 
+//- With the right to be run, which Foam::cp takes from scripts; programs of a run
+//  may write into it
+void copyFile(const fileName& from, const fileName& to)
+{
+    namespace fs = std::filesystem;
+    const std::string copied(to);
+    std::error_code failed;
+    mkDir(to.path());
+    fs::copy_file
+    (
+        std::string(from), copied, fs::copy_options::overwrite_existing, failed
+    );
+    if (!failed)
+    {
+        fs::permissions
+        (
+            copied, fs::perms::owner_write, fs::perm_options::add, failed
+        );
+    }
+    if (failed)
+    {
+        FatalErrorInFunction
+            << "Could not copy " << from << " to " << to << ": "
+            << failed.message().c_str() << exit(FatalError);
+    }
+}
+
+
 string digest(const string& text)
 {
     return SHA1(text).digest().str();
@@ -46,6 +76,10 @@ string digest(const string& text)
 
 //- Fields of a template before a run
 const string original("0.orig");
+
+
+//- In a decomposeParDict that etc/cutAlong wrote
+const string cutByUs("// Cuts along the chute");
 
 
 //- What etc/misfitRun says before the limit [s] that a run did not keep
@@ -194,6 +228,7 @@ void Foam::misfit::runStore::prepare
     {
         lines += c + '\n';
     }
+    writeWhole(target/"programs", programFiles(commands_));
     writeWhole(target/"commands", lines);
 }
 
@@ -210,31 +245,49 @@ void Foam::misfit::runStore::takeLock()
 }
 
 
-void Foam::misfit::runStore::checkSamePrograms
-(
-    const List<wantedRun>& runs
-) const
+void Foam::misfit::runStore::checkSamePrograms(const List<wantedRun>& runs)
 {
-    const fileName file(folder_/"programs");
     const string now(programFiles(commands_));
-    const string then(contentOf(file));
-    label nDone = 0;
+    wordHashSet others;
     for (const wantedRun& run : runs)
     {
-        nDone += isFinished(run);
+        const string then(contentOf(folder_/name(run)/"programs"));
+        if (isFinished(run) && then.size() && then != now)
+        {
+            others.insert(name(run));
+        }
     }
 
-    if (!nDone || then.empty())
+    if (others.size() && !toldOfPrograms_)
     {
-        writeWhole(file, now);
-    }
-    else if (then != now)
-    {
+        toldOfPrograms_ = true;
         WarningInFunction
-            << "Programs or libraries have changed since the first of the runs in "
-            << folder_ << " was done; " << nDone << " finished ones are used."
-            << nl << "    Remove that folder if what the programs compute has"
-            << " changed, or the file programs in it if it has not." << endl;
+            << "Finished runs in " << folder_ << " are used that were done before"
+            << " programs or libraries changed (told once): "
+            << flatOutput(others.sortedToc()) << nl
+            << "    Remove their folders if these compute something else now."
+            << endl;
+    }
+}
+
+
+void Foam::misfit::runStore::checkCut() const
+{
+    const fileName file(template_/"system"/"decomposeParDict");
+    const string text(contentOf(file));
+
+    if (ranks_ > 1 && text.size() && text.find(cutByUs) == string::npos)
+    {
+        const label n =
+            dictionary(IFstream(file)()).get<label>("numberOfSubdomains");
+
+        if (n != ranks_)
+        {
+            FatalErrorInFunction
+                << file << " cuts the case into " << n << " parts, and ranks in "
+                << dictName_ << " is " << ranks_ << ". Let them be the same, or"
+                << " remove the file: it is cut along x then" << exit(FatalError);
+        }
     }
 }
 
@@ -266,7 +319,8 @@ Foam::misfit::runStore::runStore
         )
     ),
     timeLimit_(dict.getOrDefault<label>("timeLimit", 86400)),
-    lock_(-1)
+    lock_(-1),
+    toldOfPrograms_(false)
 {
     if (commands_.empty() || ranks_ < 1 || jobs_ < 1 || timeLimit_ < 1)
     {
@@ -284,6 +338,7 @@ Foam::misfit::runStore::runStore
                 << exit(FatalError);
         }
     }
+    checkCut();
     mkDir(folder_);
     templateHash_ = hashTemplate();
 }
@@ -401,26 +456,9 @@ void Foam::misfit::runStore::makeCase
     }
     mkDir(target);
 
-    for (const fileName& part : parts())
+    for (const fileName& f : files())
     {
-        const fileName copied(target/inCase(part));
-        mkDir(copied.path());
-
-        // Scripts keep the right to be run, which Foam::cp takes from them
-        std::error_code failed;
-        std::filesystem::copy
-        (
-            std::string(template_/part),
-            std::string(copied),
-            std::filesystem::copy_options::recursive,
-            failed
-        );
-        if (failed)
-        {
-            FatalErrorInFunction
-                << "Could not copy " << template_/part << " to " << target << ": "
-                << failed.message().c_str() << exit(FatalError);
-        }
+        copyFile(f, target/inCase(f.substr(template_.size() + 1)));
     }
     run.change(target);
 }
@@ -431,8 +469,8 @@ void Foam::misfit::runStore::finish(const List<wantedRun>& runs)
     if (lock_ < 0)
     {
         takeLock();
-        checkSamePrograms(runs);
     }
+    checkSamePrograms(runs);
 
     wordHashSet todo;
     for (const wantedRun& run : runs)
