@@ -2,7 +2,6 @@
 // The runs of a bank in one text file, so that a proof needs no solver.
 
 #include "bankFile.H"
-#include "report.H"
 #include "textFile.H"
 
 #include "error.H"

@@ -59,19 +59,30 @@ Foam::List<Foam::liggghtsPhase::opening> Foam::liggghtsPhase::openings() const
 }
 
 
-Foam::label Foam::liggghtsPhase::nInserted() const
+Foam::List<LAMMPS_NS::Fix*> Foam::liggghtsPhase::insertions() const
 {
     const LAMMPS_NS::Modify& modify = *liggghts_->modify;
-    scalar n = 0;
+    DynamicList<LAMMPS_NS::Fix*> result;
 
     for (label i = 0; i < modify.nfix; ++i)
     {
-        LAMMPS_NS::Fix& fix = *modify.fix[i];
-
-        if (string(fix.style).substr(0, 7) == "insert/")
+        if (string(modify.fix[i]->style).substr(0, 7) == "insert/")
         {
-            n += fix.compute_vector(0);
+            result.append(modify.fix[i]);
         }
+    }
+
+    return List<LAMMPS_NS::Fix*>(std::move(result));
+}
+
+
+Foam::label Foam::liggghtsPhase::nInserted() const
+{
+    scalar n = 0;
+
+    for (LAMMPS_NS::Fix* fix : insertions())
+    {
+        n += fix->compute_vector(0);
     }
 
     return label(n + 0.5);

@@ -196,20 +196,13 @@ void Foam::liggghtsPhase::endInsertions()
 {
     // One that had brought all its grains before a restart stays due at the first
     // step, and LIGGGHTS refuses whatever it initialises after that
-    const LAMMPS_NS::Modify& modify = *liggghts_->modify;
-
-    for (label i = 0; i < modify.nfix; ++i)
+    for (LAMMPS_NS::Fix* fix : insertions())
     {
-        LAMMPS_NS::Fix& fix = *modify.fix[i];
+        const bool isPast = fix->next_reneighbor < liggghts_->update->ntimestep;
 
-        if
-        (
-            string(fix.style).substr(0, 7) == "insert/"
-         && fix.next_reneighbor > 0
-         && fix.next_reneighbor < liggghts_->update->ntimestep
-        )
+        if (fix->next_reneighbor > 0 && isPast)
         {
-            fix.next_reneighbor = 0;
+            fix->next_reneighbor = 0;
         }
     }
 }

@@ -27,6 +27,26 @@ Foam::misfit::diagnosis::parameterDesign() const
 }
 
 
+Foam::List<Foam::misfit::vec> Foam::misfit::diagnosis::signatureDesign
+(
+    const vec& at,
+    const labelList& mechanisms
+) const
+{
+    List<vec> design;
+    for (const label m : mechanisms)
+    {
+        for (const scalar s :
+            {settings_.candidates[m].weak, settings_.candidates[m].strong})
+        {
+            design.append(at);
+            design.last()[bounds_.nParameters + m] = s;
+        }
+    }
+    return design;
+}
+
+
 Foam::List<Foam::misfit::vec> Foam::misfit::diagnosis::bankDesign() const
 {
     std::mt19937 generator(settings_.seed);

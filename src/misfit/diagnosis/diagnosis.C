@@ -246,15 +246,7 @@ void Foam::misfit::diagnosis::signatureRuns(const weighed& base)
     vec at = bounds_.mean;
     at.head(bounds_.nParameters) = base.best.x.head(bounds_.nParameters);
     List<vec> design(1, at);
-    for (const label m : mechanisms_)
-    {
-        for (const scalar s :
-            {settings_.candidates[m].weak, settings_.candidates[m].strong})
-        {
-            design.append(at);
-            design.last()[bounds_.nParameters + m] = s;
-        }
-    }
+    design.append(signatureDesign(at, mechanisms_));
 
     const stringList failures(addRuns(design));
     labelList left;
@@ -361,16 +353,7 @@ Foam::misfit::diagnosis::plan() const
     };
 
     const List<runState> all(bases());
-    List<runState> first;
-    for (label packing = 0; packing < settings_.packings; ++packing)
-    {
-        first.append(state(bounds_.mean, packing));
-    }
-    for (const word& name : settings_.resolutions)
-    {
-        first.append(state(bounds_.mean));
-        first.last().resolution = name;
-    }
+    List<runState> first(uncertaintyRuns());
     for (const runState& base : SubList<runState>(all, all.size() - 1, 1))
     {
         first.append(base);
@@ -385,17 +368,11 @@ Foam::misfit::diagnosis::plan() const
     }
     add("S1 calibration", parameterDesign());
 
-    List<vec> design;
-    forAll(settings_.candidates, i)
-    {
-        for (const scalar s :
-            {settings_.candidates[i].weak, settings_.candidates[i].strong})
-        {
-            design.append(bounds_.mean);
-            design.last()[bounds_.nParameters + i] = s;
-        }
-    }
-    add("S5 signatures (around the calibrated state, not the one shown)", design);
+    add
+    (
+        "S5 signatures (around the calibrated state, not the one shown)",
+        signatureDesign(bounds_.mean, identity(settings_.candidates.size()))
+    );
     stages.append(correctionPlan());
     return stages;
 }

@@ -4,9 +4,6 @@
 #include "diagnosis.H"
 #include "HashSet.H"
 
-#include <algorithm>
-
-
 Foam::misfit::weighed Foam::misfit::diagnosis::refitted(const weighed& w)
 {
     weighed now(w);

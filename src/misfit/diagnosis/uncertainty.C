@@ -47,9 +47,9 @@ void Foam::misfit::diagnosis::leaveOut(const runState& s, const string& why)
 }
 
 
-void Foam::misfit::diagnosis::uncertainty()
+Foam::List<Foam::misfit::runState>
+Foam::misfit::diagnosis::uncertaintyRuns() const
 {
-    Info<< "S0 uncertainty" << endl;
     List<runState> states;
     for (label packing = 0; packing < settings_.packings; ++packing)
     {
@@ -60,6 +60,14 @@ void Foam::misfit::diagnosis::uncertainty()
         states.append(state(bounds_.mean));
         states.last().resolution = name;
     }
+    return states;
+}
+
+
+void Foam::misfit::diagnosis::uncertainty()
+{
+    Info<< "S0 uncertainty" << endl;
+    const List<runState> states(uncertaintyRuns());
     checkBases();
     const List<samples> given(ask(states));
 

@@ -5,7 +5,6 @@
 
 #include "base64Layer.H"
 
-#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>

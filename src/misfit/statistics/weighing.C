@@ -3,7 +3,6 @@
 
 #include "hypothesis.H"
 
-#include <algorithm>
 #include <cmath>
 
 namespace
