@@ -5,8 +5,9 @@
 #
 # Tells lines "check,quantity,value,wanted,unit" for result.csv and writes the
 # correlation matrix; correlations only of "enough" runs, since with few of them mass,
-# diameter and solid fraction rise together. Rows of the same run with other seeds of the packing, if
-# there are any, give the intervals of the rank correlations.
+# diameter and solid fraction rise together. Rows of the same run with other seeds of
+# the packing, if there are any, give the intervals of the rank correlations. Each number
+# is also compared as if the paper's V were the void fraction, see README.md.
 
 function abs(x) { return x < 0 ? -x : x }
 
@@ -131,6 +132,30 @@ function compare(q, bound,    i, x, y, all, off, constant, s, rho, m)
     }
 }
 
+# The paper's number for the same mass and diameter if its V were the void fraction
+function ofVoidFraction(q, i,    k)
+{
+    for (k = 1; k <= nRuns; k++)
+        if (whole[k, "D"] == value[i, "D"] && whole[k, "M"] == value[i, "M"] \
+            && abs(whole[k, "V"] - (1 - value[i, "V"])) < 1e-6)
+            return whole[k, q "Paper"]
+}
+
+function compareAsVoidFraction(q,    i, x, y, off)
+{
+    if (nDone < enough) return
+    take(q, x)
+    for (i = 1; i <= nDone; i++)
+    {
+        y[i] = ofVoidFraction(q, i)
+        off += 100*abs(x[i]/y[i] - 1)/nDone
+    }
+    tell("reported", q " - mean absolute difference if V is the void fraction", \
+        sprintf("%.3g", off), "", "%")
+    tell("reported", q " - rank correlation if V is the void fraction", \
+        sprintf("%.3f", rankCorrelation(x, y, nDone)), "", "")
+}
+
 # The paper correlates the Fr that it prints, which is not that of Eq 12
 function paperColumn(name) { return name (name == "Fr" ? "Printed" : "Paper") }
 
@@ -197,5 +222,7 @@ END {
     if (!nDone) exit
     compare("H", 5); compare("L", 5); compare("Lc", 5); compare("U", 8)
     compare("h", 0); compare("Fr", 0); compare("Ue", 0); compare("E", 0)
+    n = split("H L Lc U Ue h", name, " ")
+    for (i = 1; i <= n; i++) compareAsVoidFraction(name[i])
     if (nDone >= enough) correlations()
 }
