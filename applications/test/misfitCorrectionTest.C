@@ -153,8 +153,9 @@ TEST(misfitCorrection, readsWhatWaterWasMet)
     const fileName folder(at.folder/"postProcessing/push1_1/0");
     mkDir(folder);
     std::ofstream(folder/"locatedPush.dat")
-        << "# Time share U depth voidFraction\n0.1 0 9 9 0.9\n0.2 1 2 0.1 0.6\n"
-        << "0.4 0.5 4 0.3 0.6\n0.5 0 9 9 0.9\n";
+        << "# Time share U depth voidFraction rho nu g\n"
+        << "0.1 0 9 9 0.9 1100 9 9.81\n0.2 1 2 0.1 0.6 1100 1e-3 9.81\n"
+        << "0.4 0.5 4 0.3 0.6 1100 3e-3 9.81\n0.5 0 9 9 0.9 1100 9 9.81\n";
 
     const HashTable<conditions> met
     (
@@ -164,6 +165,9 @@ TEST(misfitCorrection, readsWhatWaterWasMet)
     EXPECT_NEAR(met["push1_1"].velocity, 3, 1e-12);
     EXPECT_NEAR(met["push1_1"].depth, 0.2, 1e-12);
     EXPECT_NEAR(met["push1_1"].voidFraction, 0.6, 1e-12);
+    EXPECT_NEAR(met["push1_1"].density, 1100, 1e-9);
+    EXPECT_NEAR(met["push1_1"].viscosity, 2e-3, 1e-12);
+    EXPECT_NEAR(met["push1_1"].gravity, 9.81, 1e-12);
 }
 
 

@@ -193,7 +193,7 @@ public:
             {
                 if (s.noting && e.family == "push")
                 {
-                    all[i].met.insert(e.name, {1 + 0.3*e.time, 0.1, 1});
+                    all[i].met.insert(e.name, {1 + 0.3*e.time, 0.1, 1, 1000, 1e-6, 9.81});
                 }
             }
         }
@@ -240,6 +240,33 @@ finding diagnosed(correctedWorld& w, const settings& set = poorSettings())
 }
 
 } // End anonymous namespace
+
+
+TEST(misfitUnknown, aPushFollowsNumbersOfTheWaterThatTheCaseHas)
+{
+    List<correctionElement> one(1, elements().first());
+    ASSERT_EQ(one[0].family, "push");
+    HashTable<conditions> met;
+    met.insert(one[0].name, {-2, 0.1, 0.6, 1200, 0.05, 3});
+
+    // Weight 3600 N/m3; Fr2 = 4/0.3; Fr2/Re = 0.05 x 2/(3 x 0.01)
+    const scalarList wanted
+    ({
+        -3600, -3600*4/0.3, -3600*0.05*2/0.03, -3600*0.4
+    });
+    const groupFunctions f("push", one, met);
+    dimensionlessLaw law;
+    law.functions = identity(4);
+    const mat given(f.combination(law));
+    forAll(wanted, i)
+    {
+        EXPECT_NEAR(given(0, i)/wanted[i], 1, 1e-12) << i;
+    }
+
+    // What is not known has no laws
+    met.set(one[0].name, {-2, 0.1, 0.6});
+    EXPECT_TRUE(groupFunctions("push", one, met).laws().empty());
+}
 
 
 TEST(misfitUnknown, theErrorOfTheMeshInAnotherExperimentCountsThere)

@@ -8,6 +8,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "fvMatrices.H"
 #include "keywords.H"
+#include "uniformDimensionedFields.H"
 
 namespace Foam
 {
@@ -118,8 +119,36 @@ void Foam::fv::locatedPush::openFile()
     *file_
         << "# Water where the push " << name_ << " acts, at the start of each"
         << " time step: share of the force in time [-], velocity along "
-        << direction_ << " [m/s], depth [m], void fraction [-]" << nl
-        << "# Time share U depth voidFraction" << endl;
+        << direction_ << " [m/s], depth [m], void fraction [-]; density [kg/m3]"
+        << " and viscosity [m2/s] of the water, gravity [m/s2], 0 where not known"
+        << nl << "# Time share U depth voidFraction rho nu g" << endl;
+}
+
+
+Foam::scalar Foam::fv::locatedPush::density() const
+{
+    const auto* properties =
+        mesh_.findObject<IOdictionary>("transportProperties");
+    const dictionary* water =
+        properties ? properties->findDict(IOobject::group(phase_)) : nullptr;
+    return
+        water && water->found("rho")
+      ? dimensionedScalar("rho", dimDensity, *water).value() : 0;
+}
+
+
+Foam::scalar Foam::fv::locatedPush::viscosity(const scalarField& weight) const
+{
+    const auto* nu = mesh_.findObject<volScalarField>("nu");
+    return
+        nu ? gSum(weight*nu->primitiveField())/max(gSum(weight), VSMALL) : 0;
+}
+
+
+Foam::scalar Foam::fv::locatedPush::gravity() const
+{
+    const auto* g = mesh_.time().findObject<uniformDimensionedVectorField>("g");
+    return g ? mag(g->value()) : 0;
 }
 
 
@@ -144,12 +173,14 @@ void Foam::fv::locatedPush::writeConditions()
     const scalar velocity =
         gSum(ofWater*(U & direction_))/max(volume, VSMALL);
     const scalar depth = height_*filled/gSum(weight);
+    const scalar nu = viscosity(ofWater);
 
     if (file_.valid())
     {
         *file_
             << mesh_.time().value() << ' ' << share() << ' ' << velocity << ' '
-            << depth << ' ' << (filled > 0 ? volume/filled : 1) << endl;
+            << depth << ' ' << (filled > 0 ? volume/filled : 1) << ' '
+            << density() << ' ' << nu << ' ' << gravity() << endl;
     }
 }
 

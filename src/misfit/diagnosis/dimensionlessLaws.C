@@ -13,13 +13,6 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
-constexpr scalar g = 9.81;
-
-//- Of water [N/m3] and [m2/s]: coefficients of pushes are shares of its weight
-constexpr scalar weight = 9810;
-
-constexpr scalar nu = 1e-6;
-
 const wordList dragGroups({"", "Re_p", "voidFraction"});
 
 const wordList pushGroups({"", "Fr", "Re", "voidFraction"});
@@ -148,11 +141,15 @@ void Foam::misfit::groupFunctions::ofPush
             const conditions& c = met[e.name];
             const scalar h = max(c.depth, 1e-6);
             const scalar sign = c.velocity < 0 ? -1 : c.velocity > 0 ? 1 : 0;
-            if (c.depth > 1e-6)
+            if (c.depth > 1e-6 && c.gravity > 0)
             {
+                // Coefficients are shares of the water's weight
+                const scalar weight = c.density*c.gravity;
+                const scalar Fr2 = c.velocity*mag(c.velocity)/(c.gravity*h);
                 values_(i, 0) = weight*sign;
-                values_(i, 1) = weight*c.velocity*mag(c.velocity)/(g*h);
-                values_(i, 2) = weight*nu*c.velocity/(g*h*h);
+                values_(i, 1) = weight*Fr2;
+                values_(i, 2) =
+                    weight*c.viscosity*c.velocity/(c.gravity*h*h);
                 values_(i, 3) = weight*sign*max(1 - c.voidFraction, 0.0);
             }
         }

@@ -309,10 +309,16 @@ Foam::misfit::correction::met(const fileName& caseFolder) const
             continue;
         }
 
-        // Time share U depth voidFraction: means over the steps, by their share
+        // Time share U depth voidFraction rho nu g: means over the steps, by their
+        // share
         const writtenTable table(caseFolder, e.name, "locatedPush.dat");
         conditions mean;
         mean.voidFraction = 0;
+        const List<scalar*> column
+        ({
+            &mean.velocity, &mean.depth, &mean.voidFraction, &mean.density,
+            &mean.viscosity, &mean.gravity
+        });
         scalar sum = 0;
         for (label row = 1; row < table.rows().size(); ++row)
         {
@@ -320,21 +326,16 @@ Foam::misfit::correction::met(const fileName& caseFolder) const
                 table.value(row, 1)
                *(table.value(row, 0) - table.value(row - 1, 0));
             sum += weight;
-            mean.velocity += weight*table.value(row, 2);
-            mean.depth += weight*table.value(row, 3);
-            mean.voidFraction += weight*table.value(row, 4);
+            forAll(column, i)
+            {
+                *column[i] += weight*table.value(row, 2 + i);
+            }
         }
-        if (sum > 0)
+        for (scalar* value : column)
         {
-            mean.velocity /= sum;
-            mean.depth /= sum;
-            mean.voidFraction /= sum;
+            *value /= max(sum, VSMALL);
         }
-        else
-        {
-            mean.voidFraction = 1;
-        }
-        all.insert(e.name, mean);
+        all.insert(e.name, sum > 0 ? mean : conditions());
     }
     return all;
 }
