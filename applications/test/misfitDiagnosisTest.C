@@ -672,6 +672,32 @@ TEST(misfitDiagnosis, whatAnotherChannelContradictsIsNotNamed)
 }
 
 
+TEST(misfitDiagnosis, whereTooMuchIsLeftItIsSaidThatThereIsMoreToIt)
+{
+    // A wave that no candidate makes, smaller than one that is found
+    world w(20);
+    vec added = vec::Zero(w.data.size());
+    for (const segment& s : w.data.segments)
+    {
+        s.of(added).array() +=
+            (s.quantity == "pressure" ? 75 : 0.0075)
+           *(-((s.x.array() - 3.2 + 0.3*(s.place.x() - 1))/0.25).square()).exp();
+    }
+    settings set(worldSettings());
+    worldSampler mild(truth(0, 0.7), 200, added);
+    const finding enough(diagnose(mild, set));
+    EXPECT_TRUE(passes(enough, "adequacy"));
+    EXPECT_EQ(enough.told.find("There is more to it"), std::string::npos);
+
+    set.adequacy = 0.1;
+    worldSampler strict(truth(0, 0.7), 200, added);
+    const finding f(diagnose(strict, set));
+    show(f);
+    EXPECT_EQ(f.names, enough.names);
+    EXPECT_NE(f.told.find("There is more to it"), std::string::npos) << f.told;
+}
+
+
 TEST(misfitDiagnosis, twoPackingsThatAreTheSameAreAnError)
 {
     // The surge in closed form has no grains: all its packings are alike
