@@ -26,6 +26,25 @@ Foam::misfit::heldOut Foam::misfit::compared
 }
 
 
+void Foam::misfit::addCompared
+(
+    List<heldOut>& all,
+    const string& what,
+    const purpose use,
+    const stacked& data,
+    const vec& before,
+    const vec& after,
+    const covariance& known
+)
+{
+    const label n = data.size();
+    if (n && before.size() == n && after.size() == n)
+    {
+        all.append(compared(what, use, data, before, after, known.at(after)));
+    }
+}
+
+
 Foam::scalar Foam::misfit::removed(const heldOut& h)
 {
     return

@@ -45,37 +45,17 @@ void Foam::misfit::unknownPath::holdOut
     const dimensionlessLaw* law
 )
 {
-    const auto add = [&]
-    (
-        const string& what,
-        const purpose use,
-        const stacked& data,
-        const vec& before,
-        const vec& after,
-        const covariance& known
-    )
-    {
-        const label n = data.size();
-        if (n && before.size() == n && after.size() == n)
-        {
-            found_.held.append
-            (
-                compared(what, use, data, before, after, known.at(after))
-            );
-        }
-    };
-
     if (gate_->size())
     {
-        add
+        addCompared
         (
-            "held-out channels", purpose::gate, gate_->data(), atBase_.gate,
+            found_.held, "held-out channels", purpose::gate, gate_->data(), atBase_.gate,
             f.given.gate, gate_->uncertainty()
         );
     }
-    add
+    addCompared
     (
-        "scored channels", purpose::score, data().score, atBase_.score,
+        found_.held, "scored channels", purpose::score, data().score, atBase_.score,
         f.given.score, covariance(data().score, settings_.trigger)
     );
 
@@ -113,9 +93,9 @@ void Foam::misfit::unknownPath::holdOut
         asked += gates && recorded.size();
         if (before.ok() && after.ok())
         {
-            add
+            addCompared
             (
-                "experiment " + other.experiment, other.use, recorded,
+                found_.held, "experiment " + other.experiment, other.use, recorded,
                 gates ? before.gate : before.score,
                 gates ? after.gate : after.score,
                 elsewhere_.at(other.experiment)
