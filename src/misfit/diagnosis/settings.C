@@ -7,6 +7,102 @@
 
 #include <cmath>
 
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+List<sensorFault::kind> readFaults(const dictionary& dict)
+{
+    const wordList names
+    (
+        dict.getOrDefault("faults", sensorFault::names.names())
+    );
+    List<sensorFault::kind> faults;
+    for (const word& name : names)
+    {
+        if (!sensorFault::names.found(name))
+        {
+            FatalIOErrorInFunction(dict)
+                << "The fault " << name << " is not known. Valid faults: "
+                << flatOutput(sensorFault::names.names())
+                << exit(FatalIOError);
+        }
+        faults.append(sensorFault::names[name]);
+    }
+    return faults;
+}
+
+
+void readDecision(const dictionary& dict, settings& s)
+{
+    const dictionary decision
+    (
+        keywords::sub
+        (
+            dict,
+            "decision",
+            wordList
+            ({
+                "significance", "adequacy", "evidence", "gap", "pairGap",
+                "formulaTolerance", "refit", "passes", "pairs", "temperature",
+                "ceiling"
+            })
+        )
+    );
+    decision.readIfPresent("significance", s.significance);
+    decision.readIfPresent("adequacy", s.adequacy);
+    decision.readIfPresent("evidence", s.evidence);
+    decision.readIfPresent("gap", s.gap);
+    decision.readIfPresent("pairGap", s.pairGap);
+    decision.readIfPresent("formulaTolerance", s.formulaTolerance);
+    decision.readIfPresent("refit", s.refit);
+    decision.readIfPresent("passes", s.passes);
+    decision.readIfPresent("pairs", s.pairs);
+    decision.readIfPresent("temperature", s.temperature);
+    decision.readIfPresent("ceiling", s.ceiling);
+
+    const bool isShare =
+        s.significance > 0 && s.significance < 1
+     && s.adequacy > 0 && s.adequacy < 1 && s.ceiling > 0 && s.ceiling <= 1;
+    if (!isShare || s.refit < 1 || s.passes < 1)
+    {
+        FatalIOErrorInFunction(decision)
+            << "significance, adequacy and ceiling are shares between 0 and 1,"
+            << " refit and passes 1 or more" << exit(FatalIOError);
+    }
+}
+
+
+void checkSizes(const dictionary& dict, const settings& s)
+{
+    const label terms = 1 + 2*(s.parameters.size() + s.candidates.size());
+    if (s.bank && s.bank < terms)
+    {
+        FatalIOErrorInFunction(dict)
+            << "bank is " << s.bank << ": a bank for " << s.parameters.size()
+            << " parameters and " << s.candidates.size() << " candidates needs "
+            << terms << " runs, better twice as many" << exit(FatalIOError);
+    }
+    if (s.packings < 1 || s.common < 1 || s.draws < 100 || s.temperature <= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "packings and common must be 1 or more, draws 100 or more, the"
+            << " temperature above zero" << exit(FatalIOError);
+    }
+    if (s.packings > 1 && s.packings < 10)
+    {
+        WarningInFunction
+            << "packings is " << s.packings << ": the spread between them is known"
+            << " to about " << label(100/std::sqrt(2*(s.packings - 1.0)))
+            << " % only, and intervals are too narrow. 20 are advised" << endl;
+    }
+}
+
+} // End anonymous namespace
+
+
 Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
 {
     keywords::check
@@ -39,77 +135,8 @@ Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
     s.draws = dict.getOrDefault<label>("draws", s.draws);
     s.seed = dict.getOrDefault<label>("seed", s.seed);
 
-    if (s.packings > 1 && s.packings < 10)
-    {
-        WarningInFunction
-            << "packings is " << s.packings << ": the spread between them is known"
-            << " to about " << label(100/std::sqrt(2*(s.packings - 1.0)))
-            << " % only, and intervals are too narrow. 20 are advised" << endl;
-    }
-
-    const wordList faults
-    (
-        dict.getOrDefault("faults", sensorFault::names.names())
-    );
-    for (const word& name : faults)
-    {
-        if (!sensorFault::names.found(name))
-        {
-            FatalIOErrorInFunction(dict)
-                << "The fault " << name << " is not known. Valid faults: "
-                << flatOutput(sensorFault::names.names())
-                << exit(FatalIOError);
-        }
-        s.faults.append(sensorFault::names[name]);
-    }
-
-    const dictionary decision
-    (
-        keywords::sub
-        (
-            dict,
-            "decision",
-            wordList
-            ({
-                "significance", "adequacy", "evidence", "gap", "pairGap",
-                "formulaTolerance", "refit", "passes", "pairs", "temperature", "ceiling"
-            })
-        )
-    );
-    decision.readIfPresent("significance", s.significance);
-    decision.readIfPresent("adequacy", s.adequacy);
-    decision.readIfPresent("evidence", s.evidence);
-    decision.readIfPresent("gap", s.gap);
-    decision.readIfPresent("pairGap", s.pairGap);
-    decision.readIfPresent("formulaTolerance", s.formulaTolerance);
-    decision.readIfPresent("refit", s.refit);
-    decision.readIfPresent("passes", s.passes);
-    decision.readIfPresent("pairs", s.pairs);
-    decision.readIfPresent("temperature", s.temperature);
-    decision.readIfPresent("ceiling", s.ceiling);
-
-    const bool isShare =
-        s.significance > 0 && s.significance < 1
-     && s.adequacy > 0 && s.adequacy < 1 && s.ceiling > 0 && s.ceiling <= 1;
-    if (!isShare || s.refit < 1 || s.passes < 1)
-    {
-        FatalIOErrorInFunction(decision)
-            << "significance, adequacy and ceiling are shares between 0 and 1,"
-            << " refit and passes 1 or more" << exit(FatalIOError);
-    }
-    const label terms = 1 + 2*(s.parameters.size() + s.candidates.size());
-    if (s.bank && s.bank < terms)
-    {
-        FatalIOErrorInFunction(dict)
-            << "bank is " << s.bank << ": a bank for " << s.parameters.size()
-            << " parameters and " << s.candidates.size() << " candidates needs "
-            << terms << " runs, better twice as many" << exit(FatalIOError);
-    }
-    if (s.packings < 1 || s.common < 1 || s.draws < 100 || s.temperature <= 0)
-    {
-        FatalIOErrorInFunction(dict)
-            << "packings and common must be 1 or more, draws 100 or more, the"
-            << " temperature above zero" << exit(FatalIOError);
-    }
+    s.faults = readFaults(dict);
+    readDecision(dict, s);
+    checkSizes(dict, s);
     return s;
 }
