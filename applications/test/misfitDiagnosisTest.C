@@ -149,6 +149,11 @@ public:
         fit.segments[0].of(fit.y) *= factor;
     }
 
+    void mislabelHeldOut(const scalar factor)
+    {
+        data_[0].gate.y *= factor;
+    }
+
     void makeTwins()
     {
         twins_ = true;
@@ -494,7 +499,7 @@ TEST(misfitDiagnosis, theStateThatIsNamedIsTold)
     ASSERT_EQ(f.answer.size(), 1);
     EXPECT_NEAR
     (
-        f.answer[0].strengths[world::mechanism(0)], f.strengths[0].value, 0.05
+        f.answer[0].strengths[world::mechanism(0)], f.strengths[0].value, 1e-9
     );
 }
 
@@ -503,6 +508,9 @@ TEST(misfitDiagnosis, aFailedResolutionStopsItAndAFailedPackingIsTold)
 {
     settings set(worldSettings());
     set.resolutions = {"mesh"};
+    worldSampler same(truth(-1, 0), 100, vec());
+    EXPECT_THROW(diagnose(same, set), Foam::error);
+
     worldSampler finer(truth(-1, 0), 100, vec());
     finer.failFiner();
     EXPECT_THROW(diagnose(finer, set), Foam::error);
@@ -548,6 +556,49 @@ TEST(misfitDiagnosis, withoutHeldOutDataItIsSaidThatNothingConfirmsIt)
     worldSampler with(truth(0, 0.7), 200, vec());
     const finding confirmed(diagnose(with));
     EXPECT_EQ(confirmed.told.find("No held-out data"), std::string::npos);
+}
+
+
+TEST(misfitDiagnosis, whereOnlyHeldOutDataPartItIsNotSaidThatNothingIsMissing)
+{
+    world w(20);
+    worldSampler s(truth(-1, 0), 100, vec());
+    s.mislabelHeldOut(1.3);
+    const finding f(diagnose(s));
+    show(f);
+    EXPECT_EQ(f.verdict, "unknown");
+    EXPECT_FALSE(passes(f, "heldOut"));
+    EXPECT_TRUE(passes(f, "transfer"));
+    EXPECT_NE(f.told.find("held-out ones do not"), std::string::npos) << f.told;
+    EXPECT_TRUE(f.strengths.empty());
+
+    worldSampler agrees(truth(-1, 0), 100, vec());
+    EXPECT_EQ(diagnose(agrees).held.size(), 2);
+}
+
+
+TEST(misfitDiagnosis, chanceOfASquareIsThatOfItsDistribution)
+{
+    // Upper percentiles of chi-squared over its degrees of freedom
+    EXPECT_NEAR(chanceOfSquare(10, 0.05), 1.8307, 0.01);
+    EXPECT_NEAR(chanceOfSquare(40, 0.01), 1.5923, 0.005);
+    EXPECT_NEAR(chanceOfSquare(1, 0.05), 3.841, 0.1);
+    EXPECT_NEAR(chanceOfSquare(100, 0.5), 0.9933, 0.001);
+}
+
+
+TEST(misfitDiagnosis, sensorsAloneCanBeAskedAfter)
+{
+    settings set(worldSettings());
+    set.parameters.clear();
+    set.candidates.clear();
+    world w(20);
+    vec added = vec::Zero(w.data.size());
+    w.data.segments[0].of(added).setConstant(90);
+    worldSampler s(vec::Zero(world::nParameters + world::nMechanisms), 300, added);
+    const finding f(diagnose(s, set));
+    show(f);
+    EXPECT_EQ(f.verdict, "sensor");
 }
 
 

@@ -182,7 +182,7 @@ public:
             {
                 List<label> keep;
                 world_.data.without(2, keep);
-                all[i].fit = rows(f, keep);
+                all[i].fit = (s.resolution == "base" ? 1 : 1 + 1e-6)*rows(f, keep);
                 all[i].gate = world_.data.segments[2].of(f);
             }
             else

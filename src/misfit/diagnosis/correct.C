@@ -8,7 +8,12 @@
 
 void Foam::misfit::diagnosis::correct()
 {
-    if (found_.verdict != "unknown" || settings_.correction.empty())
+    // Where the fitted channels agree there is nothing to fit it to
+    if
+    (
+        found_.verdict != "unknown" || settings_.correction.empty()
+     || !passed("detection")
+    )
     {
         return;
     }

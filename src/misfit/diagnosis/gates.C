@@ -183,10 +183,16 @@ Foam::misfit::gate Foam::misfit::diagnosis::heldOutGate
     // 1 is what uncertainty alone leaves. Of the rest, half must go where
     // something else is known to be missing too.
     const scalar rest = max(h.squareBefore - 1, 0.0);
-    const scalar limit = max
-    (
-        1 + rest*(!physics ? 1.1 : best().what.unknown ? 0.5 : 1), beyondChance
-    );
+    // What the calibration leaves uncertain is not in it: where that is all there
+    // is to blame, there must be twice of what chance leaves
+    const scalar limit =
+        best().what.isNone()
+      ? max(2.0, chanceOfSquare(h.data.size(), settings_.adequacy))
+      : max
+        (
+            1 + rest*(!physics ? 1.1 : best().what.unknown ? 0.5 : 1),
+            beyondChance
+        );
     const bool holds = h.squareAfter < limit;
 
     // Where nothing was wrong before, what stays so confirms nothing
@@ -198,7 +204,7 @@ Foam::misfit::gate Foam::misfit::diagnosis::heldOutGate
       + number(h.squareBefore) + "), which was not used to find it",
         number(h.squareAfter),
         "below " + number(limit),
-        !best().what.isOnlyUnknown() && !best().what.isNone() && !nothingToAsk,
+        !best().what.isOnlyUnknown() && !nothingToAsk,
         holds
     };
 }
@@ -330,14 +336,19 @@ Foam::misfit::gate Foam::misfit::diagnosis::placeboGate() const
 void Foam::misfit::diagnosis::askGates()
 {
     found_.gates.append(detectionGate());
-    if (!found_.gates.last().passed)
+    const bool detected = found_.gates.last().passed;
+    if (detected)
     {
-        return;
+        found_.gates.append(evidenceGate());
+        found_.gates.append(computedGate());
+        found_.gates.append(gapGate());
+        found_.gates.append(adequacyGate());
     }
-    found_.gates.append(evidenceGate());
-    found_.gates.append(computedGate());
-    found_.gates.append(gapGate());
-    found_.gates.append(adequacyGate());
+    else
+    {
+        // Where the fitted channels agree, others may part all the same
+        putFirst(told(baseline().what, mechanismNames()));
+    }
     addHeldOut();
     for (const heldOut& h : found_.held)
     {
@@ -352,6 +363,9 @@ void Foam::misfit::diagnosis::askGates()
             );
         }
     }
-    found_.gates.append(stabilityGate());
-    found_.gates.append(placeboGate());
+    if (detected)
+    {
+        found_.gates.append(stabilityGate());
+        found_.gates.append(placeboGate());
+    }
 }

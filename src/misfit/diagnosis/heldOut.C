@@ -3,6 +3,8 @@
 
 #include "finding.H"
 
+#include <cmath>
+
 Foam::misfit::heldOut Foam::misfit::compared
 (
     const string& what,
@@ -42,6 +44,25 @@ void Foam::misfit::addCompared
     {
         all.append(compared(what, use, data, before, after, known.at(after)));
     }
+}
+
+
+Foam::scalar Foam::misfit::chanceOfSquare
+(
+    const label samples,
+    const scalar probability
+)
+{
+    // Of a standard normal number, by halving
+    scalar low = -10;
+    scalar high = 10;
+    for (label i = 0; i < 60; ++i)
+    {
+        const scalar z = 0.5*(low + high);
+        (std::erfc(z/std::sqrt(2.0)) > 2*probability ? low : high) = z;
+    }
+    const scalar v = 2.0/(9*samples);
+    return pow3(1 - v + low*std::sqrt(v));
 }
 
 

@@ -38,7 +38,7 @@ Foam::misfit::weighed Foam::misfit::diagnosis::refitted(const weighed& w)
         const hypothesisModel after(local->surface(), bounds_, now.what);
         const vec moved =
             (after.expand(now.best.x) - x).cwiseQuotient(width_);
-        if (moved.cwiseAbs().maxCoeff() < 0.05)
+        if (!moved.size() || moved.cwiseAbs().maxCoeff() < 0.05)
         {
             break;
         }

@@ -91,6 +91,12 @@ void checkSizes(const dictionary& dict, const settings& s)
             << "packings and common must be 1 or more, draws 100 or more, the"
             << " temperature above zero" << exit(FatalIOError);
     }
+    if (s.resolutions.empty())
+    {
+        WarningInFunction
+            << "resolution is empty: what the mesh and the step change may be taken"
+            << " for missing physics. Name a finer mesh there at least" << endl;
+    }
     if (s.packings > 1 && s.packings < 10)
     {
         WarningInFunction

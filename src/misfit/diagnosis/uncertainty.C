@@ -108,8 +108,11 @@ void Foam::misfit::diagnosis::uncertainty()
         }
         else
         {
-            fit_->addDifference(given[i].fit - given.first().fit);
-            gate_->addDifference(given[i].gate - given.first().gate);
+            const vec ofFit = given[i].fit - given.first().fit;
+            const vec ofGate = given[i].gate - given.first().gate;
+            checkChanges(states[i].resolution, ofFit, ofGate);
+            fit_->addDifference(ofFit);
+            gate_->addDifference(ofGate);
         }
     }
     if (settings_.packings > 1 && fit.cols() < 2)
@@ -123,6 +126,25 @@ void Foam::misfit::diagnosis::uncertainty()
     checkPackings(fit, gate);
     fit_->addRepeats(fit, settings_.common);
     gate_->addRepeats(gate, settings_.common);
+}
+
+
+void Foam::misfit::diagnosis::checkChanges
+(
+    const word& resolution,
+    const vec& fit,
+    const vec& gate
+) const
+{
+    if (fit.isZero(0) && gate.isZero(0))
+    {
+        FatalErrorInFunction
+            << "The run with other " << resolution << " gives the same numbers in"
+            << " all channels, so what numerics change would be taken for physics."
+            << nl << "    Does resolution/" << resolution << " in system/misfitDict"
+            << " set the case's own values? Finished runs are kept"
+            << exit(FatalError);
+    }
 }
 
 

@@ -222,6 +222,12 @@ bool Foam::misfit::diagnosis::answers() const
 }
 
 
+bool Foam::misfit::diagnosis::confirmsNone() const
+{
+    return passed("detection") || (passed("heldOut") && passed("transfer"));
+}
+
+
 bool Foam::misfit::diagnosis::wasTried() const
 {
     for (const gate& g : found_.gates)
@@ -263,6 +269,10 @@ void Foam::misfit::diagnosis::decide()
             weaken();
         }
     }
+    if (!confirmsNone())
+    {
+        found_.verdict = "unknown";
+    }
     if (found_.verdict == "unknown")
     {
         found_.names.clear();
@@ -272,7 +282,8 @@ void Foam::misfit::diagnosis::decide()
     found_.after = changed ? best().best.f : found_.before;
     if (found_.verdict == "named")
     {
-        runState answer(state(lookUp(best()).variables));
+        const hypothesisModel model(fit_->surface(), bounds_, best().what);
+        runState answer(state(model.expand(best().best.x)));
         for (const word& name : answer.strengths.toc())
         {
             if (!found_.names.found(name))
@@ -380,6 +391,12 @@ void Foam::misfit::diagnosis::describe()
           ? "Recording and simulation part, but too little to say why."
           : "Recording and calibrated simulation agree within what is"
             " uncertain.");
+    }
+    else if (!confirmsNone())
+    {
+        os << "The channels that were fitted agree with the calibrated simulation,"
+            " held-out ones do not (gates heldOut and transfer). Fit those too to"
+            " learn why.";
     }
     else if (isUnproved())
     {
