@@ -74,9 +74,11 @@ Foam::string Foam::misfit::dimensionlessLaw::told
 ) const
 {
     string words(family == "drag" ? "the drag times " : "a force on the water of ");
+    const bool against =
+        family == "push" && functions.size() == 1 && coefficients[0] < 0;
     forAll(functions, i)
     {
-        const scalar c = coefficients[i];
+        const scalar c = (against ? -1 : 1)*coefficients[i];
         const scalar d = deviations[i];
         words += i ? family == "drag" ? " " : " plus " : "";
         if (family == "push")
@@ -96,7 +98,9 @@ Foam::string Foam::misfit::dimensionlessLaw::told
             words += os.str();
         }
     }
-    return family == "drag" ? words : string(words + ", along the flow");
+    return
+        family == "drag" ? words
+      : string(words + (against ? ", against the flow" : ", along the flow"));
 }
 
 

@@ -321,10 +321,10 @@ Foam::misfit::gate Foam::misfit::diagnosis::placeboGate() const
     return
     {
         "placebo",
-        string("Gain where the misfit has the wrong sign")
-      + (canMove ? " or is moved in time" : ", not moved in time as the effect lasts")
-      + " (really " + number(real) + ", which must be " + number(settings_.evidence)
-      + " or more)",
+        "Score that the best explanation gains, " + number(real)
+      + " (at least " + number(settings_.evidence)
+      + "): what it still gains where the misfit has the wrong sign"
+      + (canMove ? " or is moved in time" : ""),
         number(placebo),
         "below " + number(limit),
         best().what.mechanisms.size() > 0,

@@ -228,6 +228,29 @@ bool Foam::misfit::diagnosis::confirmsNone() const
 }
 
 
+Foam::string Foam::misfit::diagnosis::whatFails() const
+{
+    const string best_(told(best().what, mechanismNames()));
+    if (best().what.isOnlyUnknown())
+    {
+        return "nothing in it explains it.";
+    }
+    wordList failed;
+    for (const gate& g : found_.gates)
+    {
+        if (g.applies && !g.passed && !failed.found(g.name))
+        {
+            failed.append(g.name);
+        }
+    }
+    return
+        "the best explanation, " + best_ + ", "
+      + (failed.empty() ? string("leads too little")
+          : "does not pass " + inWords(failed, "and"))
+      + ". Two faulty sensors look like that, too.";
+}
+
+
 bool Foam::misfit::diagnosis::wasTried() const
 {
     for (const gate& g : found_.gates)
@@ -407,7 +430,7 @@ void Foam::misfit::diagnosis::describe()
     else if (v == "unknown")
     {
         os << "Something is missing that is not in the library, or not only"
-            << " that: no explanation passes all gates.";
+            << " that: " << whatFails().c_str();
     }
     else if (found_.blamesChannel())
     {

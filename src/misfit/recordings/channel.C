@@ -97,8 +97,9 @@ Foam::scalarList Foam::misfit::channel::readColumn
     {
         FatalIOErrorInFunction(dict)
             << "The column \"" << header.c_str() << "\" of " << table.file()
-            << " has no known unit. Name it as p_Pa or \"p [Pa]\" in the file,"
-            << " or give " << key << " here. Units of " << quantity << ": "
+            << " has no known unit. Name it as "
+            << (quantity == "time" ? "t_s or \"t [s]\"" : "p_Pa or \"p [Pa]\"")
+            << " in the file, or give " << key << " here. Units of " << quantity << ": "
             << flatOutput(unitsOf(*findQuantity(quantity)))
             << exit(FatalIOError);
     }

@@ -48,10 +48,10 @@ Foam::scalar number(const Foam::string& cell)
 
 void Foam::misfit::csvTable::readNames(const std::string& line)
 {
-    if (line.find(';') != std::string::npos)
+    if (line.find_first_of(";\t") != std::string::npos)
     {
         FatalErrorInFunction
-            << "The file " << file_ << " has semicolons. Write commas between"
+            << "The file " << file_ << " has semicolons or tabs. Write commas between"
             << " the columns and points in the numbers: 0.5,1013"
             << exit(FatalError);
     }

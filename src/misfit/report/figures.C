@@ -173,13 +173,19 @@ void writeMap
 }
 
 
-std::string mapPlot(const std::string& names, const label rows)
+//- found: there is a second picture, with what was found
+std::string mapPlot
+(
+    const std::string& names,
+    const label rows,
+    const bool found
+)
 {
     std::ostringstream os;
     os  << "set terminal pngcairo size 1100," << 140 + 50*rows
         << " noenhanced font ',11'\n"
         << "set output 'map.png'\n"
-        << "set multiplot layout 1,2\n"
+        << "set multiplot layout 1," << (found ? 2 : 1) << '\n'
         << "set palette defined (-6 'blue', 0 'white', 6 'red')\n"
         << "set cbrange [-6:6]; set cblabel 'recorded - simulated [sigma]'\n"
         << "set ytics (" << names << "); set yrange [" << rows - 0.5
@@ -188,6 +194,10 @@ std::string mapPlot(const std::string& names, const label rows)
         << "set style fill solid noborder\n";
     for (const char* panel : {"4 calibrated base", "5 with what was found"})
     {
+        if (panel[0] == '5' && !found)
+        {
+            break;
+        }
         os  << "set title '" << panel + 2 << "'\n"
             << "plot 'map.dat' using (0.5*($1+$2)):3:1:2:($3-0.42):($3+0.42):"
             << panel[0] << " with boxxyerror linecolor palette\n";
@@ -259,7 +269,7 @@ Foam::List<Foam::fileName> Foam::misfit::drawFigures
         }
     }
     map.close();
-    script("map", mapPlot(rows.str(), row));
+    script("map", mapPlot(rows.str(), row, found));
 
     List<fileName> drawn;
     for (const std::string& name : names)

@@ -226,6 +226,9 @@ std::string explanations(const finding& f, const wordList& names)
     const std::string answer = told(f.explanations.first().what, names);
     List<weighed> list(f.explanations);
     sortByScore(list);
+
+    // The same fault may be there with several sizes
+    bool judged = false;
     for (const weighed& w : list)
     {
         const std::string name = told(w.what, names);
@@ -233,10 +236,11 @@ std::string explanations(const finding& f, const wordList& names)
         {
             rows.push_back
             ({
-                name + (name == answer ? " (judged below)" : ""),
+                name + (name == answer && !judged ? " (judged below)" : ""),
                 shortNumber(w.score - list.first().score),
                 percent(w.probability)
             });
+            judged = judged || name == answer;
         }
     }
     return
@@ -256,7 +260,9 @@ std::string gates(const finding& f)
         rows.push_back
         ({
             g.name, g.asked, g.applies ? g.value : "", g.applies ? g.bound : "",
-            g.applies ? g.passed ? "passed" : "failed" : "nothing to ask"
+            !g.applies ? "nothing to ask"
+          : g.passed ? "passed"
+          : g.name == "detection" ? "no misfit beyond chance" : "failed"
         });
     }
     return
@@ -285,7 +291,7 @@ std::string apart(const finding& f)
     }
     return
         "<h2>What these channels can tell apart</h2>\n<p>Effect of each"
-        " mechanism at full strength that the one of the column, at whatever"
+        " mechanism, at the second of its strengths, that the one of the column, at whatever"
         " strength, cannot imitate, in standard deviations. On the diagonal the"
         " whole effect. Below 3: not to be told apart. A diagonal"
         " below 1: these channels do not see it, or the solver does not read"

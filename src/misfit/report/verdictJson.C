@@ -276,7 +276,7 @@ std::string Foam::misfit::verdictJson(const finding& f, const string& title)
         {"verdict", f.verdict},
         {"names", list(f.names)},
         {"words", f.told},
-        {"confidence", f.confidence},
+        {"confidence", std::round(1000*f.confidence)/1000},
         {"strengths", strengths(f)},
         {"fault", fault(f)},
         {"detection", {{"pRaw", f.raw.p}, {"p", f.detection.p}}},

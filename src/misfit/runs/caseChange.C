@@ -182,7 +182,11 @@ void Foam::misfit::caseChange::apply
     {
         FatalErrorInFunction
             << "The case has no file " << file_ << " to change "
-            << name_.c_str() << " in" << exit(FatalError);
+            << name_.c_str() << " in"
+            << (file_.find("0.orig/") == 0 ? ". A run has its 0.orig as 0: write 0/"
+              : "")
+            << (file_.find("0.orig/") == 0 ? file_.name().c_str() : "")
+            << exit(FatalError);
     }
     if (isVariable_)
     {

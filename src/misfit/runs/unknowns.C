@@ -111,8 +111,9 @@ misfit::candidate readCandidate(const word& name, const dictionary& dict)
     {
         FatalIOErrorInFunction(dict)
             << "The candidate " << name << " has the strengths " << strengths
-            << " and the upper bound " << c.upper << "; they must rise from"
-            << " above zero" << exit(FatalIOError);
+            << " and the upper bound " << c.upper << ": the first strength must be"
+            << " above zero, the second larger, and upper no smaller than that"
+            << exit(FatalIOError);
     }
     return c;
 }
