@@ -29,6 +29,13 @@ fileName onPath(const string& program)
     return program;
 }
 
+//- True of misfitFoam itself and of tests, which no run calls
+bool isNoPartOfRuns(const fileName& name)
+{
+    return
+        name.find("misfit") != string::npos || name.find("Test-") == 0;
+}
+
 } // End anonymous namespace
 
 
@@ -48,7 +55,10 @@ Foam::string Foam::misfit::programFiles(const stringList& commands)
         const fileName folder(getEnv(name));
         for (const fileName& f : readDir(folder, fileName::FILE, false))
         {
-            files.insert(folder/f);
+            if (!isNoPartOfRuns(f))
+            {
+                files.insert(folder/f);
+            }
         }
     }
 

@@ -8,7 +8,6 @@
 #include "textFile.H"
 
 #include "fileNameList.H"
-#include "FlatOutput.H"
 #include "IFstream.H"
 #include "OSspecific.H"
 #include "SHA1.H"
@@ -263,8 +262,8 @@ void Foam::misfit::runStore::checkSamePrograms(const List<wantedRun>& runs)
         toldOfPrograms_ = true;
         WarningInFunction
             << "Finished runs in " << folder_ << " are used that were done before"
-            << " programs or libraries changed (told once): "
-            << flatOutput(others.sortedToc()) << nl
+            << " programs or libraries changed, " << others.sortedToc().first()
+            << " for instance (told once)." << nl
             << "    Remove their folders if these compute something else now."
             << endl;
     }
