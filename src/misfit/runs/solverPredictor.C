@@ -316,8 +316,7 @@ void Foam::misfit::solverPredictor::tell
 )
 {
     Info<< what.c_str() << ": " << states.size() << " runs" << nl;
-    scalar seconds = 0;
-    label done = 0;
+    label left = 0;
     for (const runState& s : states)
     {
         const wantedRun run(wanted(s));
@@ -328,21 +327,18 @@ void Foam::misfit::solverPredictor::tell
         }
         Info<< "    " << (finished ? "done  " : "to do ")
             << told(s).c_str() << nl;
-        if (finished)
-        {
-            seconds += store_.seconds(run);
-            ++done;
-        }
+        left += !finished;
+        doneTold_ += finished;
+        secondsTold_ += finished ? store_.seconds(run) : 0;
     }
-    const label left = states.size() - done;
-    if (left && !done)
+    if (left && !doneTold_)
     {
         Info<< "    none is done yet: how long they take is told from the"
             << " first one on" << nl;
     }
-    if (left && done)
+    if (left && doneTold_)
     {
-        Info<< "    about " << seconds/done*left/store_.jobs()/60
+        Info<< "    about " << secondsTold_/doneTold_*left/store_.jobs()/60
             << " min for the " << left << " to do" << nl;
     }
     Info<< endl;
