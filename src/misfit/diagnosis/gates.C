@@ -204,7 +204,8 @@ Foam::misfit::gate Foam::misfit::diagnosis::heldOutGate
       + number(h.squareBefore) + "), which was not used to find it",
         number(h.squareAfter),
         "below " + number(limit),
-        !best().what.isOnlyUnknown() && !nothingToAsk,
+        best().what.isNone()
+     || (!best().what.isOnlyUnknown() && !nothingToAsk),
         holds
     };
 }

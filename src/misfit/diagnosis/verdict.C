@@ -228,23 +228,34 @@ bool Foam::misfit::diagnosis::confirmsNone() const
 }
 
 
-Foam::string Foam::misfit::diagnosis::whatFails() const
+Foam::wordList Foam::misfit::diagnosis::failedGates() const
 {
-    const string best_(told(best().what, mechanismNames()));
-    if (best().what.isOnlyUnknown())
-    {
-        return "nothing in it explains it.";
-    }
     wordList failed;
     for (const gate& g : found_.gates)
     {
-        if (g.applies && !g.passed && !failed.found(g.name))
+        // No misfit beyond chance is no failure
+        if
+        (
+            g.applies && !g.passed && g.name != "detection"
+         && !failed.found(g.name)
+        )
         {
             failed.append(g.name);
         }
     }
+    return failed;
+}
+
+
+Foam::string Foam::misfit::diagnosis::whatFails() const
+{
+    if (best().what.isOnlyUnknown())
+    {
+        return "nothing in it explains it.";
+    }
+    const wordList failed(failedGates());
     return
-        "the best explanation, " + best_ + ", "
+        "the best explanation, " + told(best().what, mechanismNames()) + ", "
       + (failed.empty() ? string("leads too little")
           : "does not pass " + inWords(failed, "and"))
       + ". Two faulty sensors look like that, too.";
@@ -418,8 +429,8 @@ void Foam::misfit::diagnosis::describe()
     else if (!confirmsNone())
     {
         os << "The channels that were fitted agree with the calibrated simulation,"
-            " held-out ones do not (gates heldOut and transfer). Fit those too to"
-            " learn why.";
+            " held-out ones do not (gate " << inWords(failedGates(), "and").c_str()
+            << "). Fit those too to learn why.";
     }
     else if (isUnproved())
     {

@@ -399,8 +399,10 @@ std::string caption(const finding& f, const fileName& file)
     const heldOut& h = f.held[std::stoi(name.substr(7)) - 1];
     return
         "Not used to find it: " + h.what + ". Mean square of the misfit "
-      + shortNumber(h.squareBefore) + " before, " + shortNumber(h.squareAfter)
-      + " after (1: as good as it can be).";
+      + shortNumber(h.squareBefore)
+      + (h.squareBefore == h.squareAfter ? std::string()
+          : " before, " + shortNumber(h.squareAfter) + " after")
+      + " (1: as good as it can be).";
 }
 
 } // End anonymous namespace
