@@ -222,7 +222,7 @@ END {
     if (!nDone) exit
     compare("H", 5); compare("L", 5); compare("Lc", 5); compare("U", 8)
     compare("h", 0); compare("Fr", 0); compare("Ue", 0); compare("E", 0)
-    n = split("H L Lc U Ue h", name, " ")
-    for (i = 1; i <= n; i++) compareAsVoidFraction(name[i])
+    n = split("H L Lc U Ue h", quantity, " ")
+    for (i = 1; i <= n; i++) compareAsVoidFraction(quantity[i])
     if (nDone >= enough) correlations()
 }

@@ -5,29 +5,6 @@
 
 #include <cmath>
 
-Foam::misfit::heldOut Foam::misfit::compared
-(
-    const string& what,
-    const purpose use,
-    const stacked& data,
-    const vec& before,
-    const vec& after,
-    const mat& covariance
-)
-{
-    const whitener white(covariance);
-    const auto square = [&](const vec& f)
-    {
-        return white(vec(data.y - f)).squaredNorm()/data.size();
-    };
-    return
-    {
-        what, use, data, before, after, covariance.diagonal().cwiseSqrt(),
-        square(before), square(after)
-    };
-}
-
-
 void Foam::misfit::addCompared
 (
     List<heldOut>& all,
@@ -40,10 +17,21 @@ void Foam::misfit::addCompared
 )
 {
     const label n = data.size();
-    if (n && before.size() == n && after.size() == n)
+    if (!n || before.size() != n || after.size() != n)
     {
-        all.append(compared(what, use, data, before, after, known.at(after)));
+        return;
     }
+    const mat uncertain(known.at(after));
+    const whitener white(uncertain);
+    const auto square = [&](const vec& f)
+    {
+        return white(vec(data.y - f)).squaredNorm()/n;
+    };
+    all.append
+    ({
+        what, use, data, before, after, uncertain.diagonal().cwiseSqrt(),
+        square(before), square(after)
+    });
 }
 
 

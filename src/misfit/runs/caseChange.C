@@ -180,13 +180,14 @@ void Foam::misfit::caseChange::apply
     }
     if (!isFile(path, false))
     {
+        const string hint
+        (
+            file_.find("0.orig/") == 0
+          ? string(". A run has its 0.orig as 0: write 0/" + file_.name()) : string()
+        );
         FatalErrorInFunction
             << "The case has no file " << file_ << " to change "
-            << name_.c_str() << " in"
-            << (file_.find("0.orig/") == 0 ? ". A run has its 0.orig as 0: write 0/"
-              : "")
-            << (file_.find("0.orig/") == 0 ? file_.name().c_str() : "")
-            << exit(FatalError);
+            << name_.c_str() << " in" << hint.c_str() << exit(FatalError);
     }
     if (isVariable_)
     {
