@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # How near the runs of table.csv come to the paper's:
 #
-#   awk -v suffix=-slice -v enough=9 -v rows="rows..." -v matrix=FILE -f statistics.awk table.csv
+#   awk -v enough=9 -v rows="rows..." -v on=-slice -v matrix=FILE -f statistics.awk table.csv
 #
 # Tells lines "check,quantity,value,wanted,unit" for result.csv and writes the
 # correlation matrix; correlations only of "enough" runs, since with few of them mass,
-# diameter and solid fraction rise together. Rows of the same run with other seeds of
-# the packing, if there are any, give the intervals of the rank correlations. Each number
-# is also compared as if the paper's V were the void fraction, see README.md.
+# diameter and solid fraction rise together. "rows" of the same run with other seeds of
+# the packing, if there are any, give the intervals of the rank correlations; "on" is
+# -slice if they are of slices. Each number is also compared as if the paper's V were
+# the void fraction, see README.md.
 
 function abs(x) { return x < 0 ? -x : x }
 
@@ -125,7 +126,8 @@ function compare(q, bound,    i, x, y, all, off, constant, s, rho, m)
         sprintf("%.3f", rho), bound ? 0.85 : "", "")
     if (s >= 0)
     {
-        tell("reported", q " - scatter between packings", \
+        tell("reported", q " - scatter between packings" \
+            (on == "-slice" ? " of slices" : ""), \
             sprintf("%.2g", 100*s), "", "%")
         tell("reported", q " - rank correlation without the chance of the packings - 90 %", \
             interval(q, x, y, s, rho), "", "")
@@ -191,7 +193,6 @@ function readSeeds(    files, n, i, k, line, head, cell, m, base)
         split(line, cell, ",")
         base = cell[1]
         sub(/-seed[0-9]$/, "", base)
-        if (base !~ "^D[0-9]M[0-9]+V[0-9]+" suffix "$") continue
         repeats[base]++
         for (k = 2; k <= m; k++) repeated[base, repeats[base], head[k]] = cell[k]
     }
