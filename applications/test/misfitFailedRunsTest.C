@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a diagnosis makes of runs in which the solver fails or says otherwise.
+
+#include "worldDiagnosis.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+
+TEST(misfitFailedRuns, anExperimentInWhichTheSolverFailsConfirmsNothing)
+{
+    worldSampler s(truth(0, 0.7), 200, vec());
+    s.failIn("B");
+    const finding f(diagnose(s));
+    show(f);
+    EXPECT_EQ(f.verdict, "unknown");
+}
+
+
+TEST(misfitFailedRuns, whatWasNotRunAsItWasFittedIsNotNamed)
+{
+    // Never, and only at first
+    for (const label allowed : {0, 3})
+    {
+        worldSampler s(truth(0, 0.7), 200, vec());
+        s.failBetween(allowed);
+        const finding f(diagnose(s));
+        show(f);
+        EXPECT_EQ(f.verdict, "unknown");
+        EXPECT_TRUE(f.answer.empty());
+        for (const gate& g : f.gates)
+        {
+            EXPECT_TRUE(g.name != "computed" || !g.passed);
+        }
+    }
+}
+
+
+TEST(misfitFailedRuns, whatTheSolverRefutesGivesWayToTheNextBest)
+{
+    // By the surface alone the two are alike
+    settings set(worldSettings());
+    set.refit = 0;
+    set.pairs = false;
+    for (label idle = 0; idle < 2; ++idle)
+    {
+        worldSampler s(truth(0, 0.7), 200, vec());
+        s.makeTwins();
+        s.idleBetween(idle);
+        const finding f(diagnose(s, set));
+        expectAnswer(f, "named", {world::mechanism(1 - idle)});
+        ASSERT_EQ(f.strengths.size(), 1);
+        EXPECT_EQ(f.strengths[0].name, world::mechanism(1 - idle));
+        EXPECT_NEAR(f.strengths[0].value, 0.7, 0.2);
+        ASSERT_EQ(f.answer.size(), 1);
+        EXPECT_TRUE(f.answer[0].strengths.found(world::mechanism(1 - idle)));
+    }
+}
+
+
+TEST(misfitFailedRuns, aFailedResolutionStopsItAndAFailedPackingIsTold)
+{
+    settings set(worldSettings());
+    set.resolutions = {"mesh"};
+    worldSampler same(truth(-1, 0), 100, vec());
+    EXPECT_THROW(diagnose(same, set), Foam::error);
+
+    worldSampler finer(truth(-1, 0), 100, vec());
+    finer.failFiner();
+    EXPECT_THROW(diagnose(finer, set), Foam::error);
+
+    set.resolutions.clear();
+    set.packings = 2;
+    set.common = 1;
+    worldSampler one(truth(-1, 0), 100, vec());
+    one.failPacking(1);
+    EXPECT_THROW(diagnose(one, set), Foam::error);
+
+    set.packings = 4;
+    set.common = 2;
+    worldSampler common(truth(-1, 0), 100, vec());
+    common.failPacking(1);
+    try
+    {
+        diagnose(common, set);
+        FAIL();
+    }
+    catch (const Foam::error& e)
+    {
+        EXPECT_NE(e.message().find("one of the common"), std::string::npos);
+    }
+
+    worldSampler other(truth(-1, 0), 100, vec());
+    other.failPacking(2);
+    const finding f(diagnose(other, set));
+    ASSERT_EQ(f.failedRuns.size(), 1);
+    EXPECT_NE(f.failedRuns[0].find("packing 2"), std::string::npos);
+}
+
+
+TEST(misfitFailedRuns, twoPackingsThatAreTheSameAreAnError)
+{
+    // The surge in closed form has no grains: all its packings are alike
+    settings set(worldSettings());
+    set.packings = 2;
+    worldSampler s(truth(-1, 0), 100, vec());
+    EXPECT_THROW(diagnose(s, set), Foam::error);
+}
+
+
+TEST(misfitFailedRuns, aCandidateThatCrashesTheSolverDropsOut)
+{
+    worldSampler s(truth(0, 0.7), 200, vec());
+    s.crashWith(3);
+    const finding f(diagnose(s));
+    EXPECT_EQ(f.verdict, "named");
+    ASSERT_EQ(f.dropped.size(), 1);
+    EXPECT_EQ(f.dropped[0].first(), "gate");
+    EXPECT_NE(f.dropped[0].second().find("floating point"), std::string::npos);
+}

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an answer must pass before it is given: each gate, one by one.
+
+#include "worldDiagnosis.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+
+TEST(misfitGates, eachHeldOutExperimentMustConfirmIt)
+{
+    worldSampler agrees(truth(0, 0.7), 200, vec());
+    EXPECT_EQ(diagnose(agrees).verdict, "named");
+
+    // B confirms it, the one behind it does not
+    worldSampler s(truth(0, 0.7), 200, vec());
+    s.addContradiction();
+    const finding f(diagnose(s));
+    show(f);
+    EXPECT_EQ(f.verdict, "unknown");
+    EXPECT_TRUE(f.names.empty());
+}
+
+
+TEST(misfitGates, withoutHeldOutDataItIsSaidThatNothingConfirmsIt)
+{
+    worldSampler s(truth(0, 0.7), 200, vec());
+    s.holdNothingOut();
+    const finding f(diagnose(s));
+    show(f);
+    EXPECT_EQ(f.verdict, "named");
+    EXPECT_NE(f.told.find("No held-out data"), std::string::npos) << f.told;
+
+    worldSampler with(truth(0, 0.7), 200, vec());
+    const finding confirmed(diagnose(with));
+    EXPECT_EQ(confirmed.told.find("No held-out data"), std::string::npos);
+}
+
+
+TEST(misfitGates, whereOnlyHeldOutDataPartItIsNotSaidThatNothingIsMissing)
+{
+    world w(20);
+    worldSampler s(truth(-1, 0), 100, vec());
+    s.mislabelHeldOut(1.3);
+    const finding f(diagnose(s));
+    show(f);
+    EXPECT_EQ(f.verdict, "unknown");
+    EXPECT_FALSE(passes(f, "heldOut"));
+    EXPECT_TRUE(passes(f, "transfer"));
+    EXPECT_NE(f.told.find("held-out ones do not"), std::string::npos) << f.told;
+    EXPECT_TRUE(f.strengths.empty());
+
+    worldSampler agrees(truth(-1, 0), 100, vec());
+    EXPECT_EQ(diagnose(agrees).held.size(), 2);
+}
+
+
+TEST(misfitGates, chanceOfASquareIsThatOfItsDistribution)
+{
+    // Upper percentiles of chi-squared over its degrees of freedom
+    EXPECT_NEAR(chanceOfSquare(10, 0.05), 1.8307, 0.01);
+    EXPECT_NEAR(chanceOfSquare(40, 0.01), 1.5923, 0.005);
+    EXPECT_NEAR(chanceOfSquare(1, 0.05), 3.841, 0.1);
+    EXPECT_NEAR(chanceOfSquare(100, 0.5), 0.9933, 0.001);
+}
+
+
+TEST(misfitGates, whatGainsTooLittleIsNotSaid)
+{
+    settings set(worldSettings());
+    set.evidence = 1e4;
+    worldSampler s(truth(0, 0.7), 200, vec());
+    const finding f(diagnose(s, set));
+    show(f);
+    EXPECT_EQ(passes(f, "evidence"), false);
+    EXPECT_EQ(f.verdict, "none");
+    EXPECT_NE(f.told.find("too little to say why"), std::string::npos);
+}
+
+
+TEST(misfitGates, whatAnotherChannelContradictsIsNotNamed)
+{
+    // Each of two mechanisms acts at one gauge only
+    world w(20);
+    vec added = vec::Zero(w.data.size());
+    for (const auto& at : {std::make_pair(3, 0), std::make_pair(1, 1)})
+    {
+        const vec effect = w(truth(at.second, 0.9)) - w(truth(-1, 0));
+        const segment& s = w.data.segments[at.first];
+        s.of(added) = s.of(effect);
+    }
+    settings set(worldSettings());
+    set.faults.clear();
+    set.pairs = false;
+    worldSampler s(truth(-1, 0), 200, added);
+    const finding f(diagnose(s, set));
+    show(f);
+    EXPECT_EQ(passes(f, "stability"), false);
+    EXPECT_NE(f.verdict, "named");
+}
+
+
+TEST(misfitGates, whereTooMuchIsLeftItIsSaidThatThereIsMoreToIt)
+{
+    // A wave that no candidate makes, smaller than one that is found
+    world w(20);
+    vec added = vec::Zero(w.data.size());
+    for (const segment& s : w.data.segments)
+    {
+        s.of(added).array() +=
+            (s.quantity == "pressure" ? 75 : 0.0075)
+           *(-((s.x.array() - 3.2 + 0.3*(s.place.x() - 1))/0.25).square()).exp();
+    }
+    settings set(worldSettings());
+    worldSampler mild(truth(0, 0.7), 200, added);
+    const finding enough(diagnose(mild, set));
+    EXPECT_TRUE(passes(enough, "adequacy"));
+    EXPECT_EQ(enough.told.find("There is more to it"), std::string::npos);
+
+    set.adequacy = 0.1;
+    worldSampler strict(truth(0, 0.7), 200, added);
+    const finding f(diagnose(strict, set));
+    show(f);
+    EXPECT_EQ(f.names, enough.names);
+    EXPECT_NE(f.told.find("There is more to it"), std::string::npos) << f.told;
+}

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stands for the solver: runs of the surge in closed form.
+
+#include "worldSampler.H"
+
+Foam::misfit::stacked Foam::misfit::worldSampler::gate() const
+{
+    stacked s;
+    s.segments = List<segment>({world_.data.segments[2]});
+    s.segments[0].first = 0;
+    s.y = world_.data.segments[2].of(world_.data.y);
+    return s;
+}
+
+
+bool Foam::misfit::worldSampler::isBetween(const scalar strength)
+{
+    return strength != 0 && strength != 0.5 && strength != 1;
+}
+
+
+bool Foam::misfit::worldSampler::isBetween(const runState& state)
+{
+    forAllConstIters(state.strengths, strength)
+    {
+        if (isBetween(*strength))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+Foam::misfit::vec
+Foam::misfit::worldSampler::variables(const runState& state) const
+{
+    vec x = vec::Zero(world_.bounds.mean.size());
+    x[0] = state.parameters.lookup("release", 0);
+    x[1] = state.parameters.lookup("friction", 0);
+    for (label m = 0; m < world::nMechanisms; ++m)
+    {
+        const scalar strength =
+            state.strengths.lookup(world::mechanism(m), 0);
+        x[world::nParameters + m] =
+            m == idle_ && isBetween(strength) ? 0 : strength;
+    }
+    if (twins_)
+    {
+        scalar& second = x[world::nParameters + 1];
+        x[world::nParameters] += second;
+        second = 0;
+    }
+    return x;
+}
+
+
+Foam::misfit::vec Foam::misfit::worldSampler::simulated
+(
+    const vec& x,
+    const word& experiment
+) const
+{
+    vec y = x;
+    y[0] -= experiment == "A" ? 0 : 0.3;
+    return world_(y);
+}
+
+
+bool Foam::misfit::worldSampler::fails(const runState& state)
+{
+    if (state.experiment == "A" && isBetween(state))
+    {
+        between_.insert(told(state));
+        if (between_.size() > betweenAllowed_)
+        {
+            return true;
+        }
+    }
+    return
+        (state.experiment == failing_ && state.strengths.size())
+     || state.packing == failingPacking_
+     || (failsFiner_ && state.resolution != "base")
+     || (
+            crashing_ >= 0
+         && variables(state)[world::nParameters + crashing_] > 0
+        );
+}
+
+
+Foam::misfit::samples Foam::misfit::worldSampler::run(const runState& state)
+{
+    samples s;
+    if (fails(state))
+    {
+        s.failure = "floating point exception";
+        return s;
+    }
+    const vec f =
+        (1 + packingChanges_*state.packing)
+       *simulated(variables(state), state.experiment);
+    if (state.experiment == "A")
+    {
+        List<label> keep;
+        world_.data.without(2, keep);
+        s.fit = rows(f, keep);
+        if (data_[0].gate.size())
+        {
+            s.gate = world_.data.segments[2].of(f);
+        }
+    }
+    else
+    {
+        s.gate = f;
+    }
+    return s;
+}
+
+
+Foam::misfit::worldSampler::worldSampler
+(
+    const vec& x,
+    const label seed,
+    const vec& added,
+    const scalar bend
+)
+:
+    world_(20)
+{
+    std::mt19937 generator(seed);
+    for (const word& e : wordList({"A", "B"}))
+    {
+        vec y = x;
+        y[0] -= e == "B" ? 0.3 : 0;
+        world_.data.y = world_(y, bend) + world_.noise(generator);
+        if (e == "A" && added.size())
+        {
+            world_.data.y += added;
+        }
+        List<label> keep;
+        observed o;
+        o.experiment = e;
+        o.use = e == "A" ? purpose::fit : purpose::gate;
+        if (e == "A")
+        {
+            o.fit = world_.data.without(2, keep);
+            o.gate = gate();
+        }
+        else
+        {
+            o.gate = world_.data;
+        }
+        data_.append(o);
+    }
+}
+
+
+void Foam::misfit::worldSampler::mislabel(const scalar factor)
+{
+    stacked& fit = data_[0].fit;
+    fit.segments[0].of(fit.y) *= factor;
+}
+
+
+void Foam::misfit::worldSampler::mislabelHeldOut(const scalar factor)
+{
+    data_[0].gate.y *= factor;
+}
+
+
+void Foam::misfit::worldSampler::makeTwins()
+{
+    twins_ = true;
+}
+
+
+void Foam::misfit::worldSampler::idleBetween(const label mechanism)
+{
+    idle_ = mechanism;
+}
+
+
+void Foam::misfit::worldSampler::crashWith(const label mechanism)
+{
+    crashing_ = mechanism;
+}
+
+
+void Foam::misfit::worldSampler::failBetween(const label allowed)
+{
+    betweenAllowed_ = allowed;
+}
+
+
+void Foam::misfit::worldSampler::failPacking(const label packing)
+{
+    packingChanges_ = 1e-4;
+    failingPacking_ = packing;
+}
+
+
+void Foam::misfit::worldSampler::failFiner()
+{
+    failsFiner_ = true;
+}
+
+
+void Foam::misfit::worldSampler::failIn(const word& experiment)
+{
+    failing_ = experiment;
+}
+
+
+void Foam::misfit::worldSampler::holdNothingOut()
+{
+    data_.resize(1);
+    data_[0].gate = stacked();
+}
+
+
+void Foam::misfit::worldSampler::addContradiction()
+{
+    observed o(data_.last());
+    o.experiment = "D";
+    vec x = vec::Zero(world_.bounds.mean.size());
+    x[0] = -0.3;
+    o.gate.y = world_(x);
+    data_.append(o);
+}
+
+
+Foam::label Foam::misfit::worldSampler::runs() const
+{
+    return asked_.size();
+}
+
+
+Foam::List<Foam::misfit::samples>
+Foam::misfit::worldSampler::operator()(const List<runState>& states)
+{
+    List<samples> all(states.size());
+    forAll(states, i)
+    {
+        asked_.insert(told(states[i]));
+        all[i] = run(states[i]);
+    }
+    return all;
+}
+
+
+const Foam::List<Foam::misfit::observed>&
+Foam::misfit::worldSampler::data() const
+{
+    return data_;
+}
