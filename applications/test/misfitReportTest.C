@@ -40,6 +40,11 @@ finding found()
     f.before = base;
     f.after = w.data.y;
     f.sigma = vec::Constant(base.size(), 20);
+    f.sources =
+    {
+        {"sensors", vec::Constant(base.size(), 12)},
+        {"mesh", vec::Constant(base.size(), 16)}
+    };
     f.held.append
     ({
         "held-out channels", purpose::gate, w.data, base, w.data.y, f.sigma,
@@ -65,6 +70,8 @@ TEST(misfitReport, theRecordIsReadableByPrograms)
     EXPECT_EQ(j["located"][0]["channel"], "P1");
     EXPECT_EQ(j["gates"][0]["result"], "passed");
     EXPECT_EQ(j["heldOut"][0]["meanSquareAfter"], 1);
+    EXPECT_NEAR(j["uncertainty"]["P1"]["whole"], 20, 1e-9);
+    EXPECT_NEAR(j["uncertainty"]["P1"]["mesh"], 16, 1e-9);
 }
 
 
@@ -92,6 +99,11 @@ TEST(misfitReport, oneFileHoldsWordsAndPictures)
     }
     EXPECT_EQ(pictures, 3);
     EXPECT_NE(html.find("100 % of the misfit is gone"), std::string::npos);
+    EXPECT_NE
+    (
+        html.find("<td>P1 [Pa]</td><td>20</td><td>12</td><td>16</td>"),
+        std::string::npos
+    );
     EXPECT_TRUE(isFile(folder/"verdict.json"));
     EXPECT_FALSE(isFile(folder/"verdict.json.new"));
 }

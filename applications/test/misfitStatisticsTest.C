@@ -160,6 +160,41 @@ TEST(misfitCovariance, gainAndStartOfTimeAddTheirDirections)
 }
 
 
+TEST(misfitCovariance, itsSourcesMakeUpTheWhole)
+{
+    stacked data(oneChannel(40, 0));
+    data.segments[0].gainUncertainty = 0.1;
+    data.segments[0].zeroUncertainty = 3;
+    const vec t = data.segments[0].x;
+    const vec f = 100*t.array().sin();
+    mat runs(40, 3);
+    runs << f, 1.1*f, 0.8*f;
+
+    covariance c(data, 0.02);
+    c.addRepeats(runs, 1);
+    c.addDifference("mesh", 0.05*f);
+    const List<uncertaintySource> sources(c.sources(f));
+    ASSERT_EQ(sources.size(), 4);
+    vec sum = vec::Zero(40);
+    for (const uncertaintySource& s : sources)
+    {
+        EXPECT_GT(s.second().maxCoeff(), 0) << s.first();
+        sum += s.second().cwiseAbs2();
+    }
+    const vec whole = c.at(f).diagonal();
+    EXPECT_LT((sum - whole).cwiseAbs().maxCoeff(), 1e-9*whole.maxCoeff());
+
+    // The change itself and its parametric part, which is twice as large
+    EXPECT_EQ(sources[2].first(), "mesh");
+    EXPECT_NEAR
+    (
+        sources[2].second().squaredNorm(), 5*Foam::sqr(0.05)*f.squaredNorm(),
+        0.3*5*Foam::sqr(0.05)*f.squaredNorm()
+    );
+    EXPECT_EQ(sources[3].first(), "start of time");
+}
+
+
 TEST(misfitCovariance, twentyPackingsGiveItsSizeAndMemory)
 {
     std::mt19937 generator(3);

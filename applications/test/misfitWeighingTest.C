@@ -49,7 +49,7 @@ List<weighed> explain(world& w, const responseSurface& surface, const vec& y)
 {
     w.data.y = y;
     covariance c(w.data, 0.005);
-    c.addSpread(surface.leftOut(), 1);
+    c.addSpread("between the runs", surface.leftOut(), 1);
     using kind = sensorFault::kind;
     List<weighed> list
     (

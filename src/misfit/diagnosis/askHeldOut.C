@@ -39,7 +39,10 @@ Foam::misfit::covariance Foam::misfit::diagnosis::errorElsewhere
         }
         else if (bases[0].ok())
         {
-            known.addDifference(bases[k].gate - bases[0].gate);
+            known.addDifference
+            (
+                states[k].resolution, bases[k].gate - bases[0].gate
+            );
         }
     }
     return known;

@@ -203,6 +203,7 @@ void Foam::misfit::diagnosis::detect()
     locate(fit_->data().y - base.best.f, base.covariance);
     found_.data = fit_->data();
     found_.sigma = base.covariance.diagonal().cwiseSqrt();
+    found_.sources = fit_->uncertainty().sources(base.best.f);
     screen(base);
     if (found_.detection.p < settings_.significance)
     {

@@ -73,10 +73,10 @@ void Foam::misfit::sampledModel::build(const vec& width)
     );
     covariance_.reset(new covariance(data_, trigger_));
     covariance_->addRepeats(repeats_, averaged_);
-    covariance_->addSpread(surface_->leftOut(), 1);
-    for (const vec& d : differences_)
+    covariance_->addSpread("between the runs", surface_->leftOut(), 1);
+    for (const Tuple2<string, vec>& d : differences_)
     {
-        covariance_->addDifference(d);
+        covariance_->addDifference(d.first(), d.second());
     }
 }
 
@@ -121,9 +121,9 @@ Foam::misfit::sampledModel::without
     copy->samples_ = rowsOf(samples_, keep);
     copy->repeats_ = rowsOf(repeats_, keep);
     copy->averaged_ = averaged_;
-    for (const vec& d : differences_)
+    for (const Tuple2<string, vec>& d : differences_)
     {
-        copy->differences_.append(rows(d, keep));
+        copy->differences_.append({d.first(), rows(d.second(), keep)});
     }
     copy->build(width);
     return copy;

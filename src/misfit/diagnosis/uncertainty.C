@@ -111,8 +111,8 @@ void Foam::misfit::diagnosis::uncertainty()
             const vec ofFit = given[i].fit - given.first().fit;
             const vec ofGate = given[i].gate - given.first().gate;
             checkChanges(states[i].resolution, ofFit, ofGate);
-            fit_->addDifference(ofFit);
-            gate_->addDifference(ofGate);
+            fit_->addDifference(states[i].resolution, ofFit);
+            gate_->addDifference(states[i].resolution, ofGate);
         }
     }
     if (settings_.packings > 1 && fit.cols() < 2)

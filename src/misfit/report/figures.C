@@ -37,18 +37,6 @@ void writeSeries
 }
 
 
-std::string unitOf(const word& quantity)
-{
-    return
-        quantity == "length" ? "[m]"
-      : quantity == "pressure" ? "[Pa]"
-      : quantity == "velocity" ? "[m/s]"
-      : quantity == "force" ? "[N]"
-      : quantity == "mass" ? "[kg]"
-      : quantity == "flowRate" ? "[m3/s]" : "";
-}
-
-
 //- A number alone: recorded with 2 sigma, base and what was found side by side
 std::string numberPlot
 (
@@ -218,6 +206,18 @@ bool gnuplot(const fileName& folder, const std::string& name)
 }
 
 } // End anonymous namespace
+
+
+std::string Foam::misfit::unitOf(const word& quantity)
+{
+    return
+        quantity == "length" ? "[m]"
+      : quantity == "pressure" ? "[Pa]"
+      : quantity == "velocity" ? "[m/s]"
+      : quantity == "force" ? "[N]"
+      : quantity == "mass" ? "[kg]"
+      : quantity == "flowRate" ? "[m3/s]" : "";
+}
 
 
 Foam::List<Foam::fileName> Foam::misfit::drawFigures

@@ -220,6 +220,43 @@ std::string calibration(const finding& f)
 }
 
 
+std::string two(const scalar value)
+{
+    std::ostringstream os;
+    os.precision(2);
+    os << value;
+    return os.str();
+}
+
+
+//- What is uncertain at each channel, and where that comes from
+std::string uncertain(const finding& f)
+{
+    row head{"channel", "whole"};
+    for (const uncertaintySource& source : f.sources)
+    {
+        head.push_back(source.first());
+    }
+    std::vector<row> rows;
+    for (const segment& s : f.data.segments)
+    {
+        row r{s.name + " " + unitOf(s.quantity), two(s.rootMeanSquare(f.sigma))};
+        for (const uncertaintySource& source : f.sources)
+        {
+            r.push_back(two(s.rootMeanSquare(source.second())));
+        }
+        rows.push_back(r);
+    }
+    return
+        "<h2>What is uncertain</h2>\n<p>One standard deviation between recording and"
+        " simulation with nothing wrong, root mean square over the record, and what"
+        " it is made of (between the runs: of states that lie between those that were"
+        " computed). Where a mesh outweighs the sensors, a finer one sees more; where"
+        " packings do, more of them.</p>\n"
+      + table(head, rows);
+}
+
+
 std::string explanations(const finding& f, const wordList& names)
 {
     std::vector<row> rows;
@@ -424,8 +461,8 @@ std::string Foam::misfit::reportHtml
     }
     return
         header(title) + verdict(f) + "<h2>Before and after</h2>\n" + series
-      + where(f) + map + freeCorrection(f.correction) + calibration(f) + explanations(f, f.library)
-      + gates(f) + apart(f) + rest(f)
+      + where(f) + map + freeCorrection(f.correction) + calibration(f)
+      + uncertain(f) + explanations(f, f.library) + gates(f) + apart(f) + rest(f)
       + "<p>States asked for: " + std::to_string(f.nRuns)
       + ". The same in numbers: verdict.json.</p>\n</body></html>\n";
 }

@@ -207,6 +207,22 @@ json freeCorrection(const correctionFound& c)
 }
 
 
+//- Standard deviations by channel and by what they come from, in SI units
+json uncertainty(const finding& f)
+{
+    json all = json::object();
+    for (const segment& s : f.data.segments)
+    {
+        all[s.name]["whole"] = s.rootMeanSquare(f.sigma);
+        for (const uncertaintySource& source : f.sources)
+        {
+            all[s.name][source.first()] = s.rootMeanSquare(source.second());
+        }
+    }
+    return all;
+}
+
+
 json posterior(const finding& f)
 {
     json all = json::array();
@@ -282,6 +298,7 @@ std::string Foam::misfit::verdictJson(const finding& f, const string& title)
         {"detection", {{"pRaw", f.raw.p}, {"p", f.detection.p}}},
         {"located", located(f)},
         {"calibration", parameters(f)},
+        {"uncertainty", uncertainty(f)},
         {"gates", gates(f)},
         {"heldOut", heldOuts(f.held)},
         {"freeCorrection", freeCorrection(f.correction)},

@@ -62,6 +62,25 @@ void Foam::misfit::covariance::addNoise(const segment& s)
 }
 
 
+void Foam::misfit::covariance::add(const string& source, const mat& part)
+{
+    fixed_ += part;
+    parts_.append({source, part.diagonal()});
+}
+
+
+Foam::misfit::mat Foam::misfit::covariance::ofGains(const vec& f) const
+{
+    mat all = mat::Zero(data_.size(), data_.size());
+    for (const segment& s : data_.segments)
+    {
+        const vec part = s.gainUncertainty*s.of(f);
+        all.block(s.first, s.first, s.size, s.size) = part*part.transpose();
+    }
+    return all;
+}
+
+
 Foam::misfit::vec
 Foam::misfit::covariance::variance(const mat& deviations) const
 {
@@ -146,6 +165,7 @@ Foam::misfit::covariance::covariance(const stacked& data, const scalar trigger)
     {
         addNoise(s);
     }
+    parts_.append({"sensors", fixed_.diagonal()});
 }
 
 
@@ -181,6 +201,7 @@ Foam::misfit::whitener::whitener(const mat& covariance)
 
 void Foam::misfit::covariance::addSpread
 (
+    const string& source,
     const mat& deviations,
     const scalar factor
 )
@@ -205,8 +226,12 @@ void Foam::misfit::covariance::addSpread
     const scalar distance = (sample - target).squaredNorm();
     shrinkage_ = distance > 0 ? min(max(noise/distance, 0.0), 1.0) : 1;
 
-    fixed_ += factor*scale.asDiagonal()
-       *(shrinkage_*target + (1 - shrinkage_)*sample)*scale.asDiagonal();
+    add
+    (
+        source,
+        factor*scale.asDiagonal()
+       *(shrinkage_*target + (1 - shrinkage_)*sample)*scale.asDiagonal()
+    );
 }
 
 
@@ -222,13 +247,16 @@ void Foam::misfit::covariance::addRepeats
         return;
     }
     const mat deviations = runs.colwise() - vec(runs.rowwise().mean());
-    addSpread(deviations, (1 + 1.0/averaged)*n/(n - 1));
+    addSpread("packings", deviations, (1 + 1.0/averaged)*n/(n - 1));
 }
 
 
-void Foam::misfit::covariance::addDifference(const vec& difference)
+void Foam::misfit::covariance::addDifference
+(
+    const string& source,
+    const vec& difference
+)
 {
-    fixed_ += difference*difference.transpose();
     if (difference.squaredNorm() <= 0)
     {
         return;
@@ -239,27 +267,40 @@ void Foam::misfit::covariance::addDifference(const vec& difference)
     const mat column(difference);
     const vec scale = 2*variance(column).cwiseSqrt().cwiseMax(VSMALL);
     const mat z = scale.cwiseInverse().asDiagonal()*column;
-    fixed_ +=
-        scale.asDiagonal()*correlation(likelyMemory(z))*scale.asDiagonal();
+    add
+    (
+        source,
+        mat(difference*difference.transpose())
+      + scale.asDiagonal()*correlation(likelyMemory(z))*scale.asDiagonal()
+    );
 }
 
 
 Foam::misfit::mat Foam::misfit::covariance::at(const vec& f) const
 {
-    mat all = fixed_;
-    for (const segment& s : data_.segments)
-    {
-        if (s.gainUncertainty > 0)
-        {
-            const vec part = s.gainUncertainty*s.of(f);
-            all.block(s.first, s.first, s.size, s.size) +=
-                part*part.transpose();
-        }
-    }
+    mat all = fixed_ + ofGains(f);
     if (trigger_ > 0)
     {
         const vec shift = trigger_*timeSlope(data_, f);
         all += shift*shift.transpose();
+    }
+    return all;
+}
+
+
+Foam::List<Foam::misfit::uncertaintySource>
+Foam::misfit::covariance::sources(const vec& f) const
+{
+    List<uncertaintySource> all(parts_);
+    all[0].second() += ofGains(f).diagonal();
+    if (trigger_ > 0)
+    {
+        const vec shift = trigger_*timeSlope(data_, f);
+        all.append({"start of time", shift.cwiseAbs2()});
+    }
+    for (uncertaintySource& s : all)
+    {
+        s.second() = s.second().cwiseSqrt().eval();
     }
     return all;
 }
