@@ -590,6 +590,43 @@ TEST(misfitRuns, aCaseThatEndsBeforeItsRecordingIsToldOfBeforeTheFirst)
 }
 
 
+TEST(misfitRuns, otherWaterInAnotherMeshIsToldOfOnce)
+{
+    const fakeCase c;
+    c.write
+    (
+        "system/solver",
+        content(c.folder()/"system/solver")
+      + "water=$(tr -dc '0-9.' < constant/water)\n"
+        "echo \"Phase-1 volume fraction = $water  Min(alpha.water) = 0\"\n"
+        "echo \"Phase-1 volume fraction = 0.2  Min(alpha.water) = 0\"\n"
+    );
+    c.write("constant/water", "water 0.3;\n");
+    const auto told = [&](const std::string& inMesh)
+    {
+        fakePredictor p
+        (
+            c,
+            "resolution { mesh ( { file \"constant/water\"; entry water; value "
+          + inMesh + "; } ); } "
+        );
+        runState finer(withSlope(2));
+        finer.resolution = "mesh";
+        testing::internal::CaptureStdout();
+        testing::internal::CaptureStderr();
+        p.predict.predict({withSlope(2), finer, finer});
+        return
+            testing::internal::GetCapturedStdout()
+          + testing::internal::GetCapturedStderr();
+    };
+    EXPECT_EQ(told("0.301").find("more water"), std::string::npos);
+    const std::string more(told("0.306"));
+    const auto first = more.find("2 % more water");
+    EXPECT_NE(first, std::string::npos) << more;
+    EXPECT_EQ(more.find("more water", first + 20), std::string::npos) << more;
+}
+
+
 TEST(misfitRuns, whatIsFinishedIsReadWithoutItsPrograms)
 {
     const fakeCase c;

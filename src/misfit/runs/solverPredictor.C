@@ -287,6 +287,7 @@ Foam::misfit::solverPredictor::predict(const List<runState>& states)
     forAll(states, i)
     {
         checkPlacesIn(store_.caseOf(runs[i]), states[i].experiment);
+        checkWater(states[i], runs[i]);
         found[i] = read(states[i], runs[i]);
         if (!found[i].ok())
         {

@@ -4,6 +4,7 @@
 #include "solverPredictor.H"
 #include "fileDictionary.H"
 #include "placesInMesh.H"
+#include "waterAtFirst.H"
 
 #include "OSspecific.H"
 #include "Time.H"
@@ -49,6 +50,42 @@ void Foam::misfit::solverPredictor::checkPlacesIn
         }
     }
     checkPlaces(mesh, here);
+}
+
+
+void Foam::misfit::solverPredictor::checkWater
+(
+    const runState& state,
+    const wantedRun& run
+)
+{
+    runState withBase(state);
+    withBase.resolution = "base";
+    const wantedRun base(wanted(withBase));
+    if (state.resolution == "base" || !store_.isFinished(base))
+    {
+        return;
+    }
+    const scalar here = waterAtFirst(store_.caseOf(run));
+    const scalar there = waterAtFirst(store_.caseOf(base));
+
+    // A level would be off by as much of its depth
+    const scalar most = 0.005;
+    if
+    (
+        here > 0 && there > 0 && mag(here/there - 1) > most
+     && waterTold_.insert(state.experiment + state.resolution)
+    )
+    {
+        WarningInFunction
+            << "With other " << state.resolution << " the experiment "
+            << state.experiment << " begins with " << 100*mag(here/there - 1)
+            << " % " << (here > there ? "more" : "less")
+            << " water. That counts as an error of numerics, in which"
+            << " physics may hide." << nl << "    What setFields fills cell by cell"
+            << " is the same where the water's surface lies on faces of both meshes"
+            << endl;
+    }
 }
 
 
