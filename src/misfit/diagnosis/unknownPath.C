@@ -258,6 +258,26 @@ Foam::misfit::unknownPath::refitted(const fit& f)
 }
 
 
+void Foam::misfit::unknownPath::addLaw
+(
+    const dimensionlessLaw& law,
+    const fit& fitted,
+    const scalar lead
+)
+{
+    const label k = law.functions.size();
+    vec deviations(k);
+    for (label j = 0; j < k; ++j)
+    {
+        deviations[j] = fitted.best.deviation(bounds_.nParameters + j);
+    }
+    found_.laws.append
+    ({
+        law.family, law.groups, law.told(fitted.best.x.tail(k), deviations), lead
+    });
+}
+
+
 Foam::misfit::unknownPath::fit Foam::misfit::unknownPath::explain
 (
     const fit& free,
@@ -305,20 +325,7 @@ Foam::misfit::unknownPath::fit Foam::misfit::unknownPath::explain
      >= (free.free.size() ? settings_.gap : settings_.evidence);
     for (const label i : order)
     {
-        const label k = laws[i].functions.size();
-        const label nP = bounds_.nParameters;
-        vec deviations(k);
-        for (label j = 0; j < k; ++j)
-        {
-            deviations[j] = fits[i].best.deviation(nP + j);
-        }
-        found_.laws.append
-        ({
-            laws[i].family,
-            laws[i].groups,
-            laws[i].told(fits[i].best.x.tail(k), deviations),
-            free.score - fits[i].score
-        });
+        addLaw(laws[i], fits[i], free.score - fits[i].score);
         const bool rival =
             !best.contains(laws[i]) && !laws[i].contains(best);
         if (rival && fits[i].score < first.score + settings_.gap)

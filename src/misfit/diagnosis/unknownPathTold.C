@@ -39,6 +39,79 @@ Foam::scalar Foam::misfit::unknownPath::left(const fit& f) const
 }
 
 
+Foam::misfit::runState Foam::misfit::unknownPath::inExperiment
+(
+    const word& experiment,
+    const fit& f,
+    const dimensionlessLaw* followed,
+    const samples& before
+) const
+{
+    vec x = f.variables;
+    if (followed)
+    {
+        const groupFunctions there
+        (
+            followed->family, settings_.correction, before.met
+        );
+        x.tail(nElements()) =
+            there.combination(*followed)*f.best.x.tail(f.combination.cols());
+    }
+    runState s(state(x));
+    s.experiment = experiment;
+    return s;
+}
+
+
+bool Foam::misfit::unknownPath::holdsIn
+(
+    const observed& other,
+    const fit& f,
+    const dimensionlessLaw* law
+)
+{
+    // A push that follows the flow is another one where the flow is another
+    const bool follows = law && law->family == "push";
+    runState base(state(base_));
+    base.experiment = other.experiment;
+    base.noting = follows;
+    const samples before(sampler_(List<runState>(1, base)).first());
+    found_.nRuns += 1;
+    if (!before.ok())
+    {
+        return false;
+    }
+    const samples after
+    (
+        sampler_
+        (
+            List<runState>
+            (
+                1,
+                inExperiment(other.experiment, f, follows ? law : nullptr, before)
+            )
+        ).first()
+    );
+    found_.nRuns += 1;
+
+    const bool gates = other.use == purpose::gate;
+    const stacked& recorded = gates ? other.gate : other.score;
+    if (!after.ok() || !recorded.size())
+    {
+        return false;
+    }
+    addCompared
+    (
+        found_.held, "experiment " + other.experiment, other.use, recorded,
+        gates ? before.gate : before.score,
+        gates ? after.gate : after.score,
+        elsewhere_.at(other.experiment)
+    );
+    const heldOut& h = found_.held.last();
+    return h.squareAfter < max(0.5*(h.squareBefore + 1), beyondChance);
+}
+
+
 void Foam::misfit::unknownPath::holdOut
 (
     const fit& f,
@@ -59,55 +132,16 @@ void Foam::misfit::unknownPath::holdOut
         f.given.score, covariance(data().score, settings_.trigger)
     );
 
-    // A push that follows the flow is another one where the flow is another
-    const label nP = bounds_.nParameters;
     label asked = 0;
     label held = 0;
     for (label i = 1; i < sampler_.data().size(); ++i)
     {
         const observed& other = sampler_.data()[i];
-        const bool gates = other.use == purpose::gate;
-        const stacked& recorded = gates ? other.gate : other.score;
-        runState s(state(base_));
-        s.experiment = other.experiment;
-        s.noting = law && law->family == "push";
-        const samples before(sampler_(List<runState>(1, s)).first());
-
-        vec x = f.variables;
-        if (s.noting)
+        const bool holds = holdsIn(other, f, law);
+        if (other.use == purpose::gate && other.gate.size())
         {
-            const groupFunctions there
-            (
-                law->family, settings_.correction, before.met
-            );
-            x.tail(nElements()) =
-                there.combination(*law)*f.best.x.tail(f.combination.cols());
-        }
-        x.head(nP) = f.variables.head(nP);
-        s = state(x);
-        s.experiment = other.experiment;
-        const samples after(sampler_(List<runState>(1, s)).first());
-        found_.nRuns += 2;
-
-        // Where the solver fails nothing is confirmed
-        asked += gates && recorded.size();
-        if (before.ok() && after.ok())
-        {
-            addCompared
-            (
-                found_.held, "experiment " + other.experiment, other.use, recorded,
-                gates ? before.gate : before.score,
-                gates ? after.gate : after.score,
-                elsewhere_.at(other.experiment)
-            );
-            if (gates && recorded.size())
-            {
-                const heldOut& h = found_.held.last();
-                held += h.squareAfter < max
-                (
-                    0.5*(h.squareBefore + 1), beyondChance
-                );
-            }
+            ++asked;
+            held += holds;
         }
     }
     found_.transfers = asked && held == asked;

@@ -287,7 +287,34 @@ void Foam::misfit::diagnosis::decide()
 {
     setProbabilities(found_.explanations, settings_.temperature);
     setPosterior();
+    const List<weighed> near(choose());
+
+    const bool changed = found_.verdict != "none" && found_.verdict != "unknown";
     found_.before = baseline().best.f;
+    found_.after = changed ? best().best.f : found_.before;
+    if (changed)
+    {
+        setStrengths();
+    }
+    if (found_.verdict == "named")
+    {
+        found_.answer.append(namedState());
+    }
+    if (found_.verdict == "set")
+    {
+        advise(near);
+    }
+    if (found_.strengths.size() && !best().what.unknown)
+    {
+        locateNamed();
+    }
+    confide();
+    describe();
+}
+
+
+Foam::List<Foam::misfit::weighed> Foam::misfit::diagnosis::choose()
+{
     found_.verdict = "none";
     List<weighed> near;
     if (passed("detection") && passed("evidence"))
@@ -311,47 +338,40 @@ void Foam::misfit::diagnosis::decide()
     {
         found_.names.clear();
     }
+    return near;
+}
 
-    const bool changed = found_.verdict != "none" && found_.verdict != "unknown";
-    found_.after = changed ? best().best.f : found_.before;
-    if (found_.verdict == "named")
-    {
-        const hypothesisModel model(fit_->surface(), bounds_, best().what);
-        runState answer(state(model.expand(best().best.x)));
-        for (const word& name : answer.strengths.toc())
-        {
-            if (!found_.names.found(name))
-            {
-                answer.strengths.erase(name);
-            }
-        }
-        found_.answer.append(answer);
-    }
+
+void Foam::misfit::diagnosis::setStrengths()
+{
+    const fitted& with = best().best;
     forAll(best().what.mechanisms, i)
     {
         const label k = bounds_.nParameters + i;
         const word name(mechanismNames()[best().what.mechanisms[i]]);
-        if (changed && (!partly_ || found_.names.found(name)))
+        if (!partly_ || found_.names.found(name))
         {
             found_.strengths.append
             ({
-                name,
-                best().best.x[k],
-                best().best.deviation(k),
-                best().best.pinned[k]
+                name, with.x[k], with.deviation(k), with.pinned[k]
             });
         }
     }
-    if (found_.verdict == "set")
+}
+
+
+Foam::misfit::runState Foam::misfit::diagnosis::namedState() const
+{
+    const hypothesisModel model(fit_->surface(), bounds_, best().what);
+    runState named(state(model.expand(best().best.x)));
+    for (const word& name : named.strengths.toc())
     {
-        advise(near);
+        if (!found_.names.found(name))
+        {
+            named.strengths.erase(name);
+        }
     }
-    if (found_.strengths.size() && !best().what.unknown)
-    {
-        locateNamed();
-    }
-    confide();
-    describe();
+    return named;
 }
 
 
