@@ -251,8 +251,8 @@ std::string uncertain(const finding& f)
         "<h2>What is uncertain</h2>\n<p>One standard deviation between recording and"
         " simulation with nothing wrong, root mean square over the record, and what"
         " it is made of (between the runs: of states that lie between those that were"
-        " computed). Where a mesh outweighs the sensors, a finer one sees more; where"
-        " packings do, more of them.</p>\n"
+        " computed). Where a mesh outweighs the sensors, a finer one sees more, or places"
+        " amid cells of both; where packings do, more of them.</p>\n"
       + table(head, rows);
 }
 
