@@ -166,6 +166,7 @@ TEST(misfitDiagnosis, aFaultySensorIsBlamedAndNotPhysics)
     EXPECT_EQ(f.verdict, "sensor");
     EXPECT_EQ(f.names, wordList({"P1"}));
     EXPECT_NE(f.told.find("zero"), std::string::npos) << f.told;
+    EXPECT_NE(f.told.find(" Pa too high"), std::string::npos) << f.told;
 }
 
 

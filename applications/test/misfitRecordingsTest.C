@@ -118,6 +118,16 @@ TEST(misfitUnits, theUnitIsReadFromTheNameOfTheColumn)
 }
 
 
+TEST(misfitUnits, eachQuantityHasItsSIUnit)
+{
+    EXPECT_EQ(siUnit("pressure"), "Pa");
+    EXPECT_EQ(siUnit("velocity"), "m/s");
+    EXPECT_EQ(siUnit("mass"), "kg");
+    EXPECT_EQ(siUnit("dimensionless"), "");
+    EXPECT_EQ(siUnit("no such quantity"), "");
+}
+
+
 TEST(misfitChannel, aFileInOtherUnitsIsReadInSI)
 {
     files f;

@@ -131,7 +131,12 @@ Foam::misfit::concealedSide::concealedSide
     solver_(bare_, slice, dict_),
     useSolver_(useSolver)
 {
+    // What the solver shall compute needs no bank
     const settings set(readSettings(dict_));
+    if (useSolver && !isFile(banks/side + ".txt", false))
+    {
+        return;
+    }
     wordList deciding(bare_.experiments(purpose::fit));
     deciding.append(bare_.experiments(purpose::gate));
     states_ = bankStates(set, bare_.experiments(), deciding, packing(side));

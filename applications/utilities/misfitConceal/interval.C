@@ -21,8 +21,8 @@ Foam::misfit::interval Foam::misfit::ofShare(const label hits, const label n)
         const scalar half =
             z*std::sqrt(p*(1 - p)/n + z*z/(4.0*n*n))/(1 + z*z/n);
         i.value = p;
-        i.low = max(middle - half, 0.0);
-        i.high = min(middle + half, 1.0);
+        i.low = hits ? max(middle - half, 0.0) : 0;
+        i.high = hits < n ? min(middle + half, 1.0) : 1;
     }
     return i;
 }

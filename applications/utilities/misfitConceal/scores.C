@@ -195,7 +195,10 @@ void Foam::misfit::scores::addPhysics(const openedCase& c)
     else if (strong)
     {
         pair_.count(all);
-        pairPart_.count(!c.named() || c.nothingWrong());
+        if (c.named())
+        {
+            pairPart_.count(c.nothingWrong());
+        }
     }
     if (strong && c.overlap() >= 0)
     {
@@ -230,11 +233,13 @@ void Foam::misfit::scores::add(const openedCase& c)
         right =
             c.kind() == "pair" ? c.nothingWrong()
           : c.named() && c.names() == c.truth();
+        blamedSensor_.count(c.blamesChannel());
         addPhysics(c);
     }
     else if (c.kind() == "outside")
     {
         right = c.said() == "unknown";
+        blamedSensor_.count(c.blamesChannel());
         wrong_.count(c.named());
         if (strong)
         {
@@ -244,7 +249,7 @@ void Foam::misfit::scores::add(const openedCase& c)
     else
     {
         right =
-            (c.said() == "sensor" || c.said() == "registration")
+            c.blamesChannel()
          && c.names() == nameList({c.key["faulty"].get<std::string>()});
         blamed_.count(c.blamesPhysics());
         if (strong)
@@ -266,7 +271,8 @@ std::string Foam::misfit::scores::rows() const
     for (const share* s :
         {
             &falseAlarm_, &single_, &singleNoise_, &singleOrSet_, &pair_,
-            &pairPart_, &precision_, &unknown_, &wrong_, &blamed_, &sensor_
+            &pairPart_, &precision_, &unknown_, &wrong_, &blamedSensor_,
+            &blamed_, &sensor_
         })
     {
         interval i(ofShare(s->hits, s->n));

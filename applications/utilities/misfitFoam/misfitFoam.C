@@ -11,6 +11,8 @@
 #include "Time.H"
 #include "UPstream.H"
 
+#include <cmath>
+
 namespace Foam
 {
 namespace misfit
@@ -63,6 +65,24 @@ void tellFinding(const finding& f, const fileName& folder)
         << "The record: " << (folder/"verdict.json").c_str() << endl;
 }
 
+//- What makes an answer less sure than it looks
+void warnOf(const settings& set)
+{
+    if (set.resolutions.empty())
+    {
+        WarningInFunction
+            << "resolution is empty: what the mesh and the step change may be taken"
+            << " for missing physics. Name a finer mesh there at least" << endl;
+    }
+    if (set.packings > 1 && set.packings < 10)
+    {
+        WarningInFunction
+            << "packings is " << set.packings << ": the spread between them is known"
+            << " to about " << label(100/std::sqrt(2*(set.packings - 1.0)))
+            << " % only, and intervals are too narrow. 20 are advised" << endl;
+    }
+}
+
 } // End namespace misfit
 } // End namespace Foam
 
@@ -103,6 +123,7 @@ int main(int argc, char* argv[])
     #include "setSystemRunTimeDictionaryIO.H"
     const IOdictionary dict(dictIO);
     const settings set(readSettings(dict));
+    warnOf(set);
     const recordings recorded(dict, runTime.path());
     recorded.checkEnough(dict, set.parameters.size() + 2);
 

@@ -52,19 +52,6 @@ scalar likeness(const vec& a, const vec& b)
 }
 
 
-//- True if all that one has on is on in the other too
-bool contains(const hypothesis& all, const hypothesis& some)
-{
-    for (const label m : some.mechanisms)
-    {
-        if (!all.mechanisms.found(m))
-        {
-            return false;
-        }
-    }
-    return true;
-}
-
 } // End anonymous namespace
 
 
@@ -138,7 +125,7 @@ Foam::misfit::gate Foam::misfit::diagnosis::gapGate() const
           ? w.what.fault && w.what.fault->channel() == best().what.fault->channel()
           : best().what.isOnlyUnknown() ? w.what.isOnlyUnknown()
           : w.what.mechanisms.size()
-         && (contains(w.what, best().what) || contains(best().what, w.what));
+         && (w.what.contains(best().what) || best().what.contains(w.what));
         if (!same && w.score - best().score < lead)
         {
             lead = w.score - best().score;
@@ -172,27 +159,34 @@ Foam::misfit::gate Foam::misfit::diagnosis::adequacyGate()
 }
 
 
+Foam::scalar Foam::misfit::diagnosis::heldOutLimit(const heldOut& h) const
+{
+    // What the calibration leaves uncertain is not in it: where that is all there
+    // is to blame, or one sensor, which leaves the others as they are, there must
+    // be twice of what chance leaves
+    const hypothesis& what = best().what;
+    const bool oneSensor =
+        what.fault && !sensorFault::isRegistration(what.fault->type());
+    if (what.isNone() || oneSensor)
+    {
+        return max(2.0, chanceOfSquare(h.data.size(), settings_.adequacy));
+    }
+
+    // 1 is what uncertainty alone leaves. Of the rest, half must go where
+    // something else is known to be missing too.
+    const scalar rest = max(h.squareBefore - 1, 0.0);
+    const scalar share = what.fault ? 1.1 : what.unknown ? 0.5 : 1;
+    return max(1 + rest*share, beyondChance);
+}
+
+
 Foam::misfit::gate Foam::misfit::diagnosis::heldOutGate
 (
     const word& name,
     const heldOut& h
 ) const
 {
-    const bool physics = best().what.mechanisms.size();
-
-    // 1 is what uncertainty alone leaves. Of the rest, half must go where
-    // something else is known to be missing too.
-    const scalar rest = max(h.squareBefore - 1, 0.0);
-    // What the calibration leaves uncertain is not in it: where that is all there
-    // is to blame, there must be twice of what chance leaves
-    const scalar limit =
-        best().what.isNone()
-      ? max(2.0, chanceOfSquare(h.data.size(), settings_.adequacy))
-      : max
-        (
-            1 + rest*(!physics ? 1.1 : best().what.unknown ? 0.5 : 1),
-            beyondChance
-        );
+    const scalar limit = heldOutLimit(h);
     const bool holds = h.squareAfter < limit;
 
     // Where nothing was wrong before, what stays so confirms nothing
@@ -239,7 +233,7 @@ Foam::misfit::diagnosis::winnerWithout(const label segment) const
         const bool other =
             w.what.fault ? true
           : w.what.mechanisms.size()
-         && !contains(w.what, best().what) && !contains(best().what, w.what);
+         && !w.what.contains(best().what) && !best().what.contains(w.what);
         if (other && told(w.what, names) != here && w.score < own - settings_.gap)
         {
             return {told(w.what, names), w.what.mechanisms};

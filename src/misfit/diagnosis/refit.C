@@ -178,21 +178,23 @@ Foam::scalar Foam::misfit::diagnosis::lowestScore() const
 
 Foam::List<Foam::misfit::weighed> Foam::misfit::diagnosis::rivals() const
 {
-    // Another formula of the first is easily taken for a second mechanism
     const scalar lowest = lowestScore();
-    scalar gap = settings_.gap;
+    hypothesis leader;
     for (const weighed& w : found_.explanations)
     {
-        if (w.score == lowest && w.what.mechanisms.size() > 1)
+        if (w.score == lowest)
         {
-            gap = settings_.pairGap;
+            leader = w.what;
         }
     }
     List<weighed> near;
     for (const weighed& w : found_.explanations)
     {
-        const scalar own = w.what.mechanisms.size() ? gap : settings_.gap;
-        if (w.score < lowest + own)
+        // Another formula of the first is easily taken for a second mechanism
+        const bool isPart =
+            leader.mechanisms.size() > 1 && w.what.mechanisms.size()
+         && leader.contains(w.what);
+        if (w.score < lowest + (isPart ? settings_.pairGap : settings_.gap))
         {
             near.append(w);
         }

@@ -91,19 +91,6 @@ void checkSizes(const dictionary& dict, const settings& s)
             << "packings and common must be 1 or more, draws 100 or more, the"
             << " temperature above zero" << exit(FatalIOError);
     }
-    if (s.resolutions.empty())
-    {
-        WarningInFunction
-            << "resolution is empty: what the mesh and the step change may be taken"
-            << " for missing physics. Name a finer mesh there at least" << endl;
-    }
-    if (s.packings > 1 && s.packings < 10)
-    {
-        WarningInFunction
-            << "packings is " << s.packings << ": the spread between them is known"
-            << " to about " << label(100/std::sqrt(2*(s.packings - 1.0)))
-            << " % only, and intervals are too narrow. 20 are advised" << endl;
-    }
 }
 
 } // End anonymous namespace

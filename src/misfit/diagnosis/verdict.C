@@ -434,67 +434,140 @@ void Foam::misfit::diagnosis::confide()
 }
 
 
-void Foam::misfit::diagnosis::describe()
+Foam::string Foam::misfit::diagnosis::whatGainsTooLittle() const
+{
+    string words("Recording and simulation part, but too little to say why");
+    if (!best().what.isNone())
+    {
+        words +=
+            ": " + told(best().what, mechanismNames())
+          + ", which explains it best, does not pass evidence";
+    }
+    return words + '.';
+}
+
+
+Foam::string Foam::misfit::diagnosis::whatMayBeAdded() const
+{
+    for (const weighed& w : found_.explanations)
+    {
+        const bool better =
+            w.what.mechanisms.size() > best().what.mechanisms.size()
+         && w.what.contains(best().what)
+         && w.score == lowestScore() && w.score < best().score - settings_.gap;
+        if (better)
+        {
+            return
+                " Together, " + told(w.what, mechanismNames())
+              + " match better still; another formula of what is named would do"
+                " that, too.";
+        }
+    }
+    return "";
+}
+
+
+bool Foam::misfit::diagnosis::mayBeTogether() const
+{
+    for (const weighed& w : rivals())
+    {
+        bool all = w.what.mechanisms.size() == found_.names.size();
+        for (const label m : w.what.mechanisms)
+        {
+            all = all && found_.names.found(mechanismNames()[m]);
+        }
+        if (all && found_.names.size() > 1)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+Foam::string Foam::misfit::diagnosis::strengthsInWords() const
 {
     OStringStream os;
     os.precision(3);
+    for (const foundStrength& s : found_.strengths)
+    {
+        os << "; strength of " << s.name << ' ' << s.value;
+        if (s.pinned)
+        {
+            os << ", the largest that is allowed";
+        }
+        else
+        {
+            os << " +- " << 2*s.deviation << " (95 %)";
+        }
+    }
+    return os.str();
+}
+
+
+Foam::string Foam::misfit::diagnosis::whatIsLeftOut() const
+{
+    const bool named = found_.verdict == "named";
+    string words
+    (
+        named
+      ? "Left out: " + inWords(found_.names, "and")
+      : "Left out is one of these, which these channels cannot tell apart: "
+      + inWords(found_.names, "or") + (mayBeTogether() ? ", or both" : "")
+    );
+    words += strengthsInWords() + '.';
+    if (named && (partly_ || best().what.unknown))
+    {
+        words += " There is more to it, which these channels do not settle.";
+    }
+    words += named ? whatMayBeAdded() : string();
+    if (!wasTried())
+    {
+        words += " No held-out data with a misfit confirm it.";
+    }
+    return words;
+}
+
+
+void Foam::misfit::diagnosis::describe()
+{
     const word& v = found_.verdict;
     if (v == "none")
     {
-        os << (passed("detection")
-          ? "Recording and simulation part, but too little to say why."
-          : "Recording and calibrated simulation agree within what is"
-            " uncertain.");
+        found_.told =
+            passed("detection") ? whatGainsTooLittle()
+          : string("Recording and calibrated simulation agree within what is"
+                " uncertain.");
     }
     else if (!confirmsNone())
     {
-        os << "The channels that were fitted agree with the calibrated simulation,"
-            " held-out ones do not (gate " << inWords(failedGates(), "and").c_str()
-            << "). Fit those too to learn why.";
+        found_.told =
+            "The channels that were fitted agree with the calibrated simulation,"
+            " held-out ones do not (gate " + inWords(failedGates(), "and")
+          + "). Fit those too to learn why.";
     }
     else if (isUnproved())
     {
-        os << told(best().what, mechanismNames()).c_str() << " explains it best,"
+        found_.told =
+            told(best().what, mechanismNames()) + " explains it best,"
             " but leads something that is not in the library by too little to"
             " be sure (gate gap).";
     }
     else if (v == "unknown")
     {
-        os << "Something is missing that is not in the library, or not only"
-            << " that: " << whatFails().c_str();
+        found_.told =
+            "Something is missing that is not in the library, or not only that: "
+          + whatFails();
     }
     else if (found_.blamesChannel())
     {
         const hypothesisModel m(fit_->surface(), bounds_, best().what);
-        os << "Not physics: "
-            << best().what.fault->told(m.ofFault(best().best.x)).c_str()
-            << '.';
+        found_.told =
+            "Not physics: " + best().what.fault->told(m.ofFault(best().best.x))
+          + '.';
     }
     else
     {
-        const bool rest =
-            v == "named" && (partly_ || best().what.unknown);
-        os << (v == "named" ? "Left out: " : "Left out is one of these, which"
-            " these channels cannot tell apart: ")
-            << inWords(found_.names, v == "named" ? "and" : "or").c_str();
-        for (const foundStrength& s : found_.strengths)
-        {
-            os << "; strength of " << s.name << ' ' << s.value;
-            if (s.pinned)
-            {
-                os << ", the largest that is allowed";
-            }
-            else
-            {
-                os << " +- " << 2*s.deviation << " (95 %)";
-            }
-        }
-        os << (rest ? ". There is more to it, which these channels do not settle."
-            : ".");
-        if (!wasTried())
-        {
-            os << " No held-out data with a misfit confirm it.";
-        }
+        found_.told = whatIsLeftOut();
     }
-    found_.told = os.str();
 }

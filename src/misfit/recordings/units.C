@@ -107,6 +107,26 @@ Foam::wordList Foam::misfit::unitsOf(const dimensionSet& dimensions)
 }
 
 
+Foam::word Foam::misfit::siUnit(const word& quantity)
+{
+    const dimensionSet* dimensions = findQuantity(quantity);
+    if (!dimensions || dimensions->dimensionless())
+    {
+        return word();
+    }
+    word shortest;
+    for (const word& name : unitsOf(*dimensions))
+    {
+        const bool shorter = shortest.empty() || name.size() < shortest.size();
+        if (units()[name].size == 1 && shorter)
+        {
+            shortest = name;
+        }
+    }
+    return shortest;
+}
+
+
 Foam::word Foam::misfit::unitInName(const string& column)
 {
     const auto open = column.find('[');

@@ -2,6 +2,7 @@
 // The pictures of a report, drawn by gnuplot.
 
 #include "report.H"
+#include "units.H"
 
 #include "OSspecific.H"
 
@@ -210,13 +211,8 @@ bool gnuplot(const fileName& folder, const std::string& name)
 
 std::string Foam::misfit::unitOf(const word& quantity)
 {
-    return
-        quantity == "length" ? "[m]"
-      : quantity == "pressure" ? "[Pa]"
-      : quantity == "velocity" ? "[m/s]"
-      : quantity == "force" ? "[N]"
-      : quantity == "mass" ? "[kg]"
-      : quantity == "flowRate" ? "[m3/s]" : "";
+    const word unit(siUnit(quantity));
+    return unit.empty() ? "" : '[' + unit + ']';
 }
 
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-bool Foam::misfit::hypothesis::extends(const hypothesis& other) const
+bool Foam::misfit::hypothesis::contains(const hypothesis& other) const
 {
     for (const label m : other.mechanisms)
     {
@@ -15,8 +15,15 @@ bool Foam::misfit::hypothesis::extends(const hypothesis& other) const
             return false;
         }
     }
+    return true;
+}
+
+
+bool Foam::misfit::hypothesis::extends(const hypothesis& other) const
+{
     return
-        (!other.fault || other.fault == fault)
+        contains(other)
+     && (!other.fault || other.fault == fault)
      && (unknown || !other.unknown)
      && size() > other.size();
 }

@@ -3,6 +3,7 @@
 
 #include "sensorFault.H"
 #include "StringStream.H"
+#include "units.H"
 
 #include <cmath>
 #include <map>
@@ -158,6 +159,7 @@ Foam::string Foam::misfit::sensorFault::told(const vec& u) const
     OStringStream os;
     os.precision(3);
     os << channel().c_str();
+    const string unit(" " + siUnit(at().quantity));
     switch (kind_)
     {
         case kind::lag:
@@ -169,11 +171,11 @@ Foam::string Foam::misfit::sensorFault::told(const vec& u) const
             break;
         case kind::zero:
             os << "'s zero is off: it reads " << mag(u[0])
-                << " SI units too "
+                << unit.c_str() << " too "
                 << (u[0] > 0 ? "high" : "low") << " throughout";
             break;
         case kind::drift:
-            os << " drifts by " << mag(u[0]) << " SI units "
+            os << " drifts by " << mag(u[0]) << unit.c_str() << ' '
                 << (u[0] > 0 ? "up" : "down") << " over the record";
             break;
         case kind::clock:
@@ -182,7 +184,7 @@ Foam::string Foam::misfit::sensorFault::told(const vec& u) const
             break;
         case kind::clogged:
             os << " is clogged: it lags by " << u[0] << " s and shows "
-                << 100*(1 + u[1]) << " % of the pressure";
+                << 100*(1 + u[1]) << " % of what is there";
             break;
         case kind::swapped:
             os << " and " << data_->segments[other_].name.c_str()
