@@ -57,8 +57,8 @@ function take(q, result,    i)
     for (i = 1; i <= nDone; i++) result[i] = value[i, q]
 }
 
-# Scatter of a column between packings, as a share of its mean: pooled over the
-# runs that were repeated with other seeds; -1 without
+# Standard deviation of a column between packings, pooled over the runs that were
+# repeated with other seeds; -1 without
 function scatter(q,    base, n, m, i, sum, freedom)
 {
     for (base in repeats)
@@ -67,7 +67,7 @@ function scatter(q,    base, n, m, i, sum, freedom)
         if (n < 2) continue
         m = 0
         for (i = 1; i <= n; i++) m += repeated[base, i, q]/n
-        for (i = 1; i <= n; i++) sum += (repeated[base, i, q]/m - 1)^2
+        for (i = 1; i <= n; i++) sum += (repeated[base, i, q] - m)^2
         freedom += n - 1
     }
     return freedom ? sqrt(sum/freedom) : -1
@@ -85,7 +85,7 @@ function interval(q, x, y, s, rho,    draw, i, k, z, drawn, sorted, nDraws)
     nDraws = 400
     for (draw = 1; draw <= nDraws; draw++)
     {
-        for (i = 1; i <= nDone; i++) z[i] = x[i]*(1 + s*gauss())
+        for (i = 1; i <= nDone; i++) z[i] = x[i] + s*gauss()
         drawn = rankCorrelation(z, y, nDone)
         for (k = draw; k > 1 && sorted[k - 1] > drawn; k--)
             sorted[k] = sorted[k - 1]
@@ -128,7 +128,7 @@ function compare(q, bound,    i, x, y, all, off, constant, s, rho, m)
     {
         tell("reported", q " - scatter between packings" \
             (on == "-slice" ? " of slices" : ""), \
-            sprintf("%.2g", 100*s), "", "%")
+            sprintf("%.2g", 100*s/mean(x, nDone)), "", "% of the mean")
         tell("reported", q " - rank correlation without the chance of the packings - 90 %", \
             interval(q, x, y, s, rho), "", "")
     }
