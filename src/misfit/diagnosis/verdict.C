@@ -563,8 +563,12 @@ void Foam::misfit::diagnosis::describe()
     {
         const hypothesisModel m(fit_->surface(), bounds_, best().what);
         found_.told =
-            "Not physics: " + best().what.fault->told(m.ofFault(best().best.x))
-          + '.';
+            (
+                v == "sensor"
+              ? "A sensor, or something that no other channel sees: "
+              : "Not physics: "
+            )
+          + best().what.fault->told(m.ofFault(best().best.x)) + '.';
     }
     else
     {
