@@ -49,7 +49,15 @@ function rankCorrelation(x, y, n,    rx, ry)
     return correlation(rx, ry, n)
 }
 
-function gauss() { return sqrt(-2*log(1 - rand()))*cos(6.283185307*rand()) }
+# Even chance between 0 and 1 by the generator of Park and Miller (1988), whose numbers
+# are whole and below 2^53: the rand() of each awk is another one
+function even()
+{
+    seed = (16807*seed) % 2147483647
+    return seed/2147483647
+}
+
+function gauss() { return sqrt(-2*log(even()))*cos(6.283185307*even()) }
 
 # Values of a column, of the paper or ours, for the runs that are done
 function take(q, result,    i)
@@ -58,9 +66,10 @@ function take(q, result,    i)
 }
 
 # Standard deviation of a column between packings, pooled over the runs that were
-# repeated with other seeds; -1 without
-function scatter(q,    base, n, m, i, sum, freedom)
+# repeated with other seeds; -1 without. Sets freedom, its degrees of freedom
+function scatter(q,    base, n, m, i, sum)
 {
+    freedom = 0
     for (base in repeats)
     {
         n = repeats[base]
@@ -80,9 +89,10 @@ function atMostOne(x) { return x > 1 ? 1 : x < -1 ? -1 : x }
 # on top takes the correlation down once more: by how much the draws miss rho, rho
 # misses what it would be without. So they are put on its other side, which is the
 # basic bootstrap, and cut at 1, the most that there is
-function interval(q, x, y, s, rho,    draw, i, k, z, drawn, sorted, nDraws)
+function interval(x, y, s, rho,    draw, i, k, z, drawn, sorted, nDraws)
 {
     nDraws = 400
+    seed = 12345
     for (draw = 1; draw <= nDraws; draw++)
     {
         for (i = 1; i <= nDone; i++) z[i] = x[i] + s*gauss()
@@ -126,11 +136,10 @@ function compare(q, bound,    i, x, y, all, off, constant, s, rho, m)
         sprintf("%.3f", rho), bound ? 0.85 : "", "")
     if (s >= 0)
     {
-        tell("reported", q " - scatter between packings" \
-            (on == "-slice" ? " of slices" : ""), \
+        tell("reported", q " - scatter between packings" ofSlices, \
             sprintf("%.2g", 100*s/mean(x, nDone)), "", "% of the mean")
         tell("reported", q " - rank correlation without the chance of the packings - 90 %", \
-            interval(q, x, y, s, rho), "", "")
+            interval(x, y, s, rho), "", "")
     }
 }
 
@@ -198,7 +207,7 @@ function readSeeds(    files, n, i, k, line, head, cell, m, base)
     }
 }
 
-BEGIN { FS = ","; srand(1); readSeeds() }
+BEGIN { FS = ","; ofSlices = on == "-slice" ? " of slices" : ""; readSeeds() }
 
 NR == 1 {
     for (i = 1; i <= NF; i++) name[i] = $i
@@ -221,6 +230,9 @@ NR == 1 {
 END {
     tell("reported", "runs in the table", nDone " of " nRuns, "", "")
     if (!nDone) exit
+    if (nDone >= enough && scatter("H") >= 0)
+        tell("reported", "degrees of freedom of the scatter between packings" ofSlices, \
+            freedom, "", "")
     compare("H", 5); compare("L", 5); compare("Lc", 5); compare("U", 8)
     compare("h", 0); compare("Fr", 0); compare("Ue", 0); compare("E", 0)
     n = split("H L Lc U Ue h", quantity, " ")
