@@ -190,8 +190,9 @@ function correlations(    n, name, i, k, x, y, xp, yp, ours, paper, wanted)
         }
 }
 
-# Other seeds: <run>-seed2 and so on belong to <run>
-function readSeeds(    files, n, i, k, line, head, cell, m, base)
+# Other seeds: <run>-seed2 and so on belong to <run>. A slice of a fifth of the width has
+# a fifth of the energy
+function readSeeds(    files, n, i, k, line, head, cell, m, base, scale)
 {
     n = split(rows, files, " ")
     for (i = 1; i <= n; i++)
@@ -203,7 +204,11 @@ function readSeeds(    files, n, i, k, line, head, cell, m, base)
         base = cell[1]
         sub(/-seed[0-9]$/, "", base)
         repeats[base]++
-        for (k = 2; k <= m; k++) repeated[base, repeats[base], head[k]] = cell[k]
+        for (k = 2; k <= m; k++)
+        {
+            scale = head[k] == "E" && on == "-slice" ? 5 : 1
+            repeated[base, repeats[base], head[k]] = scale*cell[k]
+        }
     }
 }
 
