@@ -83,6 +83,28 @@ vec change
     );
 }
 
+
+//- Misfit of a channel beyond its uncertainty, over what changes in it: as it was
+//  recorded or computed, and its uncertainty at least
+scalar shareBeyond
+(
+    const segment& s,
+    const vec& recorded,
+    const vec& computed,
+    const vec& sigma
+)
+{
+    const auto changing = [&s](const vec& v)
+    {
+        return s.isNumber() ? mag(v[0]) : vec(v.array() - v[0]).norm();
+    };
+    const scalar beyond =
+        vec(recorded - computed).squaredNorm() - sigma.squaredNorm();
+    return
+        std::sqrt(max(beyond, 0.0))
+       /max(max(changing(recorded), changing(computed)), sigma.norm());
+}
+
 } // End anonymous namespace
 
 
@@ -91,22 +113,16 @@ void Foam::misfit::diagnosis::screen(const weighed& base)
     Info<< "S4 screen" << endl;
     const stacked& data = fit_->data();
     const whitener white(base.covariance);
+    const vec sigma = base.covariance.diagonal().cwiseSqrt();
     List<vec> changes;
     scalar largest = 0;
     for (const segment& s : data.segments)
     {
         changes.append(change(s, base.best.f, data.y, white));
-        const vec part = s.of(data.y);
         largest = max
         (
             largest,
-            vec(part - s.of(base.best.f)).norm()
-           /max
-            (
-                s.isNumber()
-              ? mag(part[0]) : vec(part.array() - part[0]).norm(),
-                VSMALL
-            )
+            shareBeyond(s, s.of(data.y), s.of(base.best.f), s.of(sigma))
         );
     }
 
