@@ -215,3 +215,40 @@ TEST(misfitDiagnosis, aWrongSignScreensACandidateOutBeforeItIsRun)
     testNumber("different states in a diagnosis of five mechanisms", s.runs());
     EXPECT_LE(s.runs(), 30);
 }
+
+
+TEST(misfitDiagnosis, aFlatRecordDoesNotScreenTheLibraryOut)
+{
+    settings set(worldSettings());
+    for (candidate& c : set.candidates)
+    {
+        c.bound = 0.5;
+    }
+    for (const scalar dry : {0.0, 1.0})
+    {
+        worldSampler s(truth(0, 0.7), 200, vec());
+        s.recordConstant(1, dry);
+        EXPECT_EQ(diagnose(s, set).dropped.size(), 0) << dry;
+    }
+}
+
+
+TEST(misfitDiagnosis, theStateThatIsNamedWasRunInTheSolver)
+{
+    label named = 0;
+    for (label m = 0; m < 5; ++m)
+    {
+        for (label k = 0; k < 6; ++k)
+        {
+            worldSampler s(truth(m, 0.3 + 0.1*k), 3000 + 50*m + k, vec());
+            const finding f(diagnose(s));
+            if (f.verdict == "named" && f.answer.size())
+            {
+                ++named;
+                EXPECT_LT(s.nearest(f.answer[0]), 0.05) << f.told;
+            }
+        }
+    }
+    testNumber("of 30 surges named", named);
+    EXPECT_GE(named, 10);
+}

@@ -95,8 +95,9 @@ TEST(misfitFailedRuns, aFailedResolutionStopsItAndAFailedPackingIsTold)
     worldSampler other(truth(-1, 0), 100, vec());
     other.failPacking(2);
     const finding f(diagnose(other, set));
-    ASSERT_EQ(f.failedRuns.size(), 1);
+    ASSERT_EQ(f.failedRuns.size(), 2);
     EXPECT_NE(f.failedRuns[0].find("packing 2"), std::string::npos);
+    EXPECT_NE(f.failedRuns[1].find("experiment B"), std::string::npos);
 }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What an answer must pass before it is given: each gate, one by one.
 
+#include "testNumber.H"
 #include "worldDiagnosis.H"
 
 #include <gtest/gtest.h>
@@ -86,6 +87,7 @@ TEST(misfitGates, whatGainsTooLittleIsNotSaid)
     settings set(worldSettings());
     set.evidence = 1e4;
     worldSampler s(truth(0, 0.7), 200, vec());
+    s.holdNothingOut();
     const finding f(diagnose(s, set));
     show(f);
     EXPECT_EQ(passes(f, "evidence"), false);
@@ -94,6 +96,36 @@ TEST(misfitGates, whatGainsTooLittleIsNotSaid)
     (
         f.told.find("too little to say why: porePressure"), std::string::npos
     ) << f.told;
+}
+
+
+TEST(misfitGates, otherPackingsAreNoAlarmInAnotherExperiment)
+{
+    settings set(worldSettings());
+    set.packings = 20;
+    set.common = 3;
+    const label n = 40;
+    label alarms = 0;
+    for (label k = 0; k < n; ++k)
+    {
+        worldSampler s(truth(-1, 0), 5000 + k, vec());
+        s.scatterPackings(0.04);
+        alarms += diagnose(s, set).verdict != "none";
+    }
+    testNumber("alarms of 40 nulls whose packings scatter", alarms);
+    EXPECT_LE(alarms, 4);
+}
+
+
+TEST(misfitGates, nothingIsNotSaidWhereHeldOutDataPartToo)
+{
+    settings set(worldSettings());
+    set.evidence = 1e4;
+    worldSampler s(truth(0, 0.7), 200, vec());
+    const finding f(diagnose(s, set));
+    show(f);
+    EXPECT_EQ(passes(f, "evidence"), false);
+    EXPECT_EQ(f.verdict, "unknown");
 }
 
 

@@ -98,6 +98,7 @@ Foam::misfit::samples Foam::misfit::worldSampler::run(const runState& state)
     }
     const vec f =
         (1 + packingChanges_*state.packing)
+       *drawn(state.experiment, state.packing)
        *simulated(variables(state), state.experiment);
     if (state.experiment == "A")
     {
@@ -199,6 +200,40 @@ void Foam::misfit::worldSampler::failPacking(const label packing)
 }
 
 
+Foam::scalar Foam::misfit::worldSampler::drawn
+(
+    const word& experiment,
+    const label packing
+) const
+{
+    std::mt19937 generator(1000 + 10*packing + (experiment == "A"));
+    return 1 + packingScatter_*std::normal_distribution<scalar>()(generator);
+}
+
+
+void Foam::misfit::worldSampler::scatterPackings(const scalar deviation)
+{
+    packingScatter_ = deviation;
+    for (observed& o : data_)
+    {
+        const scalar recorded = drawn(o.experiment, 1 + world_.data.y.sum());
+        o.fit.y *= recorded;
+        o.gate.y *= recorded;
+    }
+}
+
+
+void Foam::misfit::worldSampler::recordConstant
+(
+    const label i,
+    const scalar value
+)
+{
+    stacked& fit = data_[0].fit;
+    fit.segments[i].of(fit.y).setConstant(value);
+}
+
+
 void Foam::misfit::worldSampler::failFiner()
 {
     failsFiner_ = true;
@@ -229,6 +264,30 @@ void Foam::misfit::worldSampler::addContradiction()
 }
 
 
+Foam::scalar Foam::misfit::worldSampler::nearest(const runState& state) const
+{
+    const vec x = variables(state);
+    vec width = vec::Ones(x.size());
+    width.head(world::nParameters).setConstant(0.1);
+    scalar least = GREAT;
+    for (const runState& r : ran_)
+    {
+        const vec y = variables(r);
+        const bool sameOn = ((x.array() > 0) == (y.array() > 0))
+            .tail(x.size() - world::nParameters).all();
+        if (r.experiment == state.experiment && sameOn)
+        {
+            least = min
+            (
+                least,
+                (x - y).cwiseQuotient(width).cwiseAbs().maxCoeff()
+            );
+        }
+    }
+    return least;
+}
+
+
 Foam::label Foam::misfit::worldSampler::runs() const
 {
     return asked_.size();
@@ -243,6 +302,7 @@ Foam::misfit::worldSampler::operator()(const List<runState>& states)
     {
         asked_.insert(told(states[i]));
         all[i] = run(states[i]);
+        ran_.append(states[i]);
     }
     return all;
 }

@@ -22,30 +22,82 @@ Foam::misfit::vec Foam::misfit::diagnosis::withFault
 }
 
 
-Foam::misfit::covariance Foam::misfit::diagnosis::errorElsewhere
+bool Foam::misfit::diagnosis::mayBeNothing() const
+{
+    const hypothesis& what = best().what;
+    return
+        what.isNone() || !passed("evidence")
+     || (what.fault && !sensorFault::isRegistration(what.fault->type()));
+}
+
+
+Foam::List<Foam::misfit::vec>
+Foam::misfit::diagnosis::calibrationSteps() const
+{
+    const label nP = bounds_.nParameters;
+    List<vec> steps;
+    if (!nP || !mayBeNothing())
+    {
+        return steps;
+    }
+    const fitted& calibrated = baseline().best;
+    const Eigen::SelfAdjointEigenSolver<mat> axes
+    (
+        calibrated.covariance.topLeftCorner(nP, nP)
+    );
+    const vec lower = bounds_.lower.head(nP);
+    const vec upper = bounds_.upper.head(nP);
+    for (label k = 0; k < nP; ++k)
+    {
+        const vec step =
+            std::sqrt(max(axes.eigenvalues()[k], 0.0))
+           *axes.eigenvectors().col(k);
+        const vec x = calibrated.x.head(nP);
+        const auto within = [&](const vec& at)
+        {
+            return vec(at.cwiseMax(lower).cwiseMin(upper) - x);
+        };
+        const vec up = within(x + step);
+        const vec down = within(x - step);
+        vec longer = vec::Zero(bounds_.mean.size());
+        longer.head(nP) = up.norm() < down.norm() ? down : up;
+        if (longer.norm() > 0)
+        {
+            steps.append(longer);
+        }
+    }
+    return steps;
+}
+
+
+void Foam::misfit::diagnosis::addNumerics
 (
-    const stacked& data,
-    const List<runState>& states,
-    const List<samples>& bases
+    covariance& known,
+    const observed& other
 )
 {
-    // The mesh errs there as it does in the experiment that is fitted
-    covariance known(data, settings_.trigger);
-    for (label k = 1; k < bases.size(); ++k)
+    const List<runState> states(uncertaintyRuns(other.experiment));
+    const List<samples> given(ask(states));
+    mat packings(other.gate.size(), 0);
+    forAll(given, i)
     {
-        if (!bases[k].ok())
+        if (!given[i].ok())
         {
-            leaveOut(states[k], bases[k].failure);
+            leaveOut(states[i], given[i].failure);
         }
-        else if (bases[0].ok())
+        else if (i < settings_.packings)
+        {
+            appendColumn(packings, given[i].gate);
+        }
+        else if (given.first().ok())
         {
             known.addDifference
             (
-                states[k].resolution, bases[k].gate - bases[0].gate
+                states[i].resolution, given[i].gate - given.first().gate
             );
         }
     }
-    return known;
+    known.addRepeats(packings, settings_.common);
 }
 
 
@@ -58,29 +110,36 @@ void Foam::misfit::diagnosis::addExperiment
 {
     const bool gates = other.use == purpose::gate;
     List<runState> states({state(before.variables), state(after.variables)});
-    for (label k = 0; gates && k <= settings_.resolutions.size(); ++k)
+    const List<vec> steps(gates ? calibrationSteps() : List<vec>());
+    for (const vec& step : steps)
     {
-        states.append(state(bounds_.mean));
-        states.last().resolution =
-            k ? settings_.resolutions[k - 1] : word("base");
+        states.append(state(before.variables + step));
     }
     for (runState& s : states)
     {
         s.experiment = other.experiment;
     }
-    const List<samples> given(ask(states));
+    const List<samples> given(means(states));
 
-    const label nBases = states.size() - 2;
     const stacked& recorded = gates ? other.gate : other.score;
-    const covariance known
-    (
-        errorElsewhere
-        (
-            recorded,
-            List<runState>(SubList<runState>(states, nBases, 2)),
-            List<samples>(SubList<samples>(given, nBases, 2))
-        )
-    );
+    covariance known(recorded, settings_.trigger);
+    if (gates)
+    {
+        addNumerics(known, other);
+        mat changes(recorded.size(), 0);
+        for (label k = 2; k < given.size(); ++k)
+        {
+            if (!given[k].ok())
+            {
+                leaveOut(states[k], given[k].failure);
+            }
+            else if (given[0].ok())
+            {
+                appendColumn(changes, given[k].gate - given[0].gate);
+            }
+        }
+        known.addDirections("calibration", changes);
+    }
     elsewhere_.insert({other.experiment, known});
 
     if (given[0].ok() && given[1].ok())
@@ -103,17 +162,22 @@ void Foam::misfit::diagnosis::addExperiment
             );
         }
     }
-    else if (gates)
+    else
     {
-        found_.gates.append
-        ({
-            "transfer",
-            "The solver runs in experiment " + other.experiment,
-            given[1].ok() ? given[0].failure : given[1].failure,
-            "runs",
-            true,
-            false
-        });
+        const label failed = given[1].ok() ? 0 : 1;
+        leaveOut(states[failed], given[failed].failure);
+        if (gates)
+        {
+            found_.gates.append
+            ({
+                "transfer",
+                "The solver runs in experiment " + other.experiment,
+                given[failed].failure,
+                "runs",
+                true,
+                false
+            });
+        }
     }
 }
 
@@ -124,11 +188,19 @@ void Foam::misfit::diagnosis::addHeldOut()
     const computed after(lookUp(best()));
     if (gate_->size())
     {
+        covariance known(gate_->data(), gate_->uncertainty());
+        const mat slopes = gate_->surface().slopes(before.variables);
+        const List<vec> steps(calibrationSteps());
+        mat changes(gate_->size(), steps.size());
+        forAll(steps, k)
+        {
+            changes.col(k) = slopes*steps[k];
+        }
+        known.addDirections("calibration", changes);
         addCompared
         (
             found_.held, "held-out channels", purpose::gate, gate_->data(),
-            before.given.gate, withFault(gate_->data(), after.given.gate),
-            gate_->uncertainty()
+            before.given.gate, withFault(gate_->data(), after.given.gate), known
         );
     }
     addCompared

@@ -90,6 +90,14 @@ Foam::misfit::diagnosis::ask(const List<runState>& states)
 
 
 Foam::List<Foam::misfit::samples>
+Foam::misfit::diagnosis::means(const List<runState>& states)
+{
+    found_.nRuns += states.size()*settings_.common;
+    return sampler_.means(states, settings_.common);
+}
+
+
+Foam::List<Foam::misfit::samples>
 Foam::misfit::diagnosis::means(const List<vec>& variables)
 {
     List<runState> states;
@@ -97,9 +105,7 @@ Foam::misfit::diagnosis::means(const List<vec>& variables)
     {
         states.append(state(x, 0));
     }
-    found_.nRuns += states.size()*settings_.common;
-
-    return sampler_.means(states, settings_.common);
+    return means(states);
 }
 
 
@@ -261,6 +267,7 @@ void Foam::misfit::diagnosis::signatureRuns(const weighed& base)
         }
         else
         {
+            never_.append(mechanisms_[i]);
             found_.dropped.append
             (
                 Tuple2<word, string>
@@ -354,7 +361,7 @@ Foam::misfit::diagnosis::plan() const
     };
 
     const List<runState> all(bases());
-    List<runState> first(uncertaintyRuns());
+    List<runState> first(uncertaintyRuns(data().experiment));
     for (const runState& base : SubList<runState>(all, all.size() - 1, 1))
     {
         first.append(base);

@@ -159,23 +159,29 @@ Foam::misfit::gate Foam::misfit::diagnosis::adequacyGate()
 }
 
 
+Foam::scalar Foam::misfit::diagnosis::limitOfNothing(const heldOut& h) const
+{
+    return chanceOfSquare(h.data.size(), settings_.adequacy);
+}
+
+
 Foam::scalar Foam::misfit::diagnosis::heldOutLimit(const heldOut& h) const
 {
-    // What the calibration leaves uncertain is not in it: where that is all there
-    // is to blame, or one sensor, which leaves the others as they are, there must
-    // be twice of what chance leaves
+    // One sensor leaves the others as they are
     const hypothesis& what = best().what;
-    const bool oneSensor =
-        what.fault && !sensorFault::isRegistration(what.fault->type());
-    if (what.isNone() || oneSensor)
+    if
+    (
+        what.isNone()
+     || (what.fault && !sensorFault::isRegistration(what.fault->type()))
+    )
     {
-        return max(2.0, chanceOfSquare(h.data.size(), settings_.adequacy));
+        return limitOfNothing(h);
     }
 
-    // 1 is what uncertainty alone leaves. Of the rest, half must go where
-    // something else is known to be missing too.
+    // 1 is what uncertainty alone leaves. Of the rest a third must go, as another
+    // formula errs elsewhere; half where something else is missing too
     const scalar rest = max(h.squareBefore - 1, 0.0);
-    const scalar share = what.fault ? 1.1 : what.unknown ? 0.5 : 1;
+    const scalar share = what.fault ? 1.1 : what.unknown ? 0.5 : 2.0/3;
     return max(1 + rest*share, beyondChance);
 }
 

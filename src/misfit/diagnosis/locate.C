@@ -70,8 +70,7 @@ Foam::misfit::diagnosis::shapes(const weighed& base) const
     {
         if (change.norm() > SMALL)
         {
-            all.conservativeResize(Eigen::NoChange, all.cols() + 1);
-            all.col(all.cols() - 1) = change;
+            appendColumn(all, change);
         }
     };
 

@@ -6,44 +6,54 @@
 
 Foam::misfit::weighed Foam::misfit::diagnosis::refitted(const weighed& w)
 {
-    weighed now(w);
+    const string name(told(w.what, mechanismNames()));
     const auto local(fit_->copy());
+    weighed next(w);
+    weighed least;
+    scalar share = 1;
     for (label pass = 0; pass < settings_.passes; ++pass)
     {
-        const hypothesisModel model(local->surface(), bounds_, now.what);
-        const vec x = model.expand(now.best.x);
+        const vec x =
+            hypothesisModel(local->surface(), bounds_, w.what).expand(next.best.x);
         const samples given(means(List<vec>(1, x)).first());
         if (!given.ok())
         {
             Info<< "    not refitted: " << given.failure.c_str() << endl;
             forget(w);
-            return now;
+            return pass ? least : w;
         }
         local->passThrough(x, given.fit);
-        now = local->weigh(settings_.formulaTolerance).thoroughly(now);
-
-        const string name(told(w.what, mechanismNames()));
-        label i = 0;
-        while (i < computed_.size() && computed_[i].explanation != name)
+        const weighing weigh(local->weigh(settings_.formulaTolerance));
+        const weighed here(weigh.where(next));
+        if (here.score < least.score)
         {
-            ++i;
+            least = here;
+            forget(w);
+            computed_.append({name, x, given});
+            share = 1;
         }
-        if (i == computed_.size())
+        else
         {
-            computed_.append(computed());
+            // Too far, or beyond a hill: back, and half of the way
+            const computed& best = *findComputed(w);
+            local->passThrough(best.variables, best.given.fit);
+            share *= 0.5;
         }
-        computed_[i] = {name, x, given};
 
         // Near enough to where it was computed: a twentieth of the widths
-        const hypothesisModel after(local->surface(), bounds_, now.what);
-        const vec moved =
-            (after.expand(now.best.x) - x).cwiseQuotient(width_);
-        if (!moved.size() || moved.cwiseAbs().maxCoeff() < 0.05)
+        next = weigh.thoroughly(least);
+        const hypothesisModel model(local->surface(), bounds_, w.what);
+        const vec step =
+            model.expand(next.best.x) - model.expand(least.best.x);
+        if (!step.size() || step.cwiseQuotient(width_).cwiseAbs().maxCoeff() < 0.05)
         {
-            break;
+            return next;
         }
+        next.best.x = least.best.x + share*(next.best.x - least.best.x);
     }
-    return now;
+
+    // It does not settle: the best of the states that were computed
+    return least;
 }
 
 

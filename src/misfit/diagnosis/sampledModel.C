@@ -9,14 +9,6 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
-void appendColumn(mat& m, const vec& v)
-{
-    const label n = m.cols();
-    m.conservativeResize(v.size(), n + 1);
-    m.col(n) = v;
-}
-
-
 mat rowsOf(const mat& m, const List<label>& keep)
 {
     mat some(keep.size(), m.cols());

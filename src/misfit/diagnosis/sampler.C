@@ -2,7 +2,7 @@
 // What was recorded and what a state gives for it, as samples.
 
 #include "sampler.H"
-#include "FlatOutput.H"
+#include "keywords.H"
 
 namespace
 {
@@ -216,7 +216,8 @@ Foam::misfit::predictedSampler::predictedSampler
     if (all.experiments(purpose::fit).size() > 1)
     {
         FatalErrorInFunction
-            << "The experiments " << flatOutput(all.experiments(purpose::fit))
+            << "The experiments"
+            << keywords::listed(all.experiments(purpose::fit)).c_str()
             << " are all to be fitted. One is fitted: give the others  use gate;"
             << " or  use score;" << exit(FatalError);
     }

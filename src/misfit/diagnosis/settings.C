@@ -2,7 +2,6 @@
 // The numbers that a diagnosis decides by.
 
 #include "settings.H"
-#include "FlatOutput.H"
 #include "keywords.H"
 
 #include <cmath>
@@ -25,8 +24,8 @@ List<sensorFault::kind> readFaults(const dictionary& dict)
         if (!sensorFault::names.found(name))
         {
             FatalIOErrorInFunction(dict)
-                << "The fault " << name << " is not known. Valid faults: "
-                << flatOutput(sensorFault::names.names())
+                << "The fault " << name << " is not known. Valid faults:"
+                << keywords::listed(sensorFault::names.names()).c_str()
                 << exit(FatalIOError);
         }
         faults.append(sensorFault::names[name]);

@@ -48,7 +48,7 @@ void Foam::misfit::diagnosis::leaveOut(const runState& s, const string& why)
 
 
 Foam::List<Foam::misfit::runState>
-Foam::misfit::diagnosis::uncertaintyRuns() const
+Foam::misfit::diagnosis::uncertaintyRuns(const word& experiment) const
 {
     List<runState> states;
     for (label packing = 0; packing < settings_.packings; ++packing)
@@ -60,6 +60,10 @@ Foam::misfit::diagnosis::uncertaintyRuns() const
         states.append(state(bounds_.mean));
         states.last().resolution = name;
     }
+    for (runState& s : states)
+    {
+        s.experiment = experiment;
+    }
     return states;
 }
 
@@ -67,7 +71,7 @@ Foam::misfit::diagnosis::uncertaintyRuns() const
 void Foam::misfit::diagnosis::uncertainty()
 {
     Info<< "S0 uncertainty" << endl;
-    const List<runState> states(uncertaintyRuns());
+    const List<runState> states(uncertaintyRuns(data().experiment));
     checkBases();
     const List<samples> given(ask(states));
 
@@ -100,11 +104,8 @@ void Foam::misfit::diagnosis::uncertainty()
         }
         else if (i < settings_.packings)
         {
-            const label n = fit.cols();
-            fit.conservativeResize(Eigen::NoChange, n + 1);
-            gate.conservativeResize(Eigen::NoChange, n + 1);
-            fit.col(n) = given[i].fit;
-            gate.col(n) = given[i].gate;
+            appendColumn(fit, given[i].fit);
+            appendColumn(gate, given[i].gate);
         }
         else
         {

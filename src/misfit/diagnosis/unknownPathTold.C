@@ -75,24 +75,28 @@ bool Foam::misfit::unknownPath::holdsIn
     runState base(state(base_));
     base.experiment = other.experiment;
     base.noting = follows;
-    const samples before(sampler_(List<runState>(1, base)).first());
-    found_.nRuns += 1;
+    const samples before
+    (
+        sampler_.means(List<runState>(1, base), settings_.common).first()
+    );
+    found_.nRuns += settings_.common;
     if (!before.ok())
     {
         return false;
     }
     const samples after
     (
-        sampler_
+        sampler_.means
         (
             List<runState>
             (
                 1,
                 inExperiment(other.experiment, f, follows ? law : nullptr, before)
-            )
+            ),
+            settings_.common
         ).first()
     );
-    found_.nRuns += 1;
+    found_.nRuns += settings_.common;
 
     const bool gates = other.use == purpose::gate;
     const stacked& recorded = gates ? other.gate : other.score;

@@ -224,7 +224,16 @@ bool Foam::misfit::diagnosis::answers() const
 
 bool Foam::misfit::diagnosis::confirmsNone() const
 {
-    return passed("detection") || (passed("heldOut") && passed("transfer"));
+    for (const heldOut& h : found_.held)
+    {
+        if (h.use == purpose::gate && h.squareBefore >= limitOfNothing(h))
+        {
+            return false;
+        }
+    }
+
+    // Where the solver fails nothing is confirmed
+    return passed("detection") || passed("transfer");
 }
 
 
@@ -330,7 +339,7 @@ Foam::List<Foam::misfit::weighed> Foam::misfit::diagnosis::choose()
             weaken();
         }
     }
-    if (!confirmsNone())
+    if (found_.verdict == "none" && !confirmsNone())
     {
         found_.verdict = "unknown";
     }
@@ -425,8 +434,9 @@ void Foam::misfit::diagnosis::confide()
     }
 
     // 25 of 27 such verdicts were right where the solver made the recordings,
-    // 30 of 62 from the bank (validation/concealed)
-    if (found_.verdict == "unknown" && !isUnproved())
+    // 30 of 62 from the bank (validation/concealed). Not where runs are missing.
+    const bool asked = never_.empty() && found_.failedRuns.empty();
+    if (found_.verdict == "unknown" && asked && !isUnproved())
     {
         sum = max(sum, 0.7);
     }
@@ -505,6 +515,54 @@ Foam::string Foam::misfit::diagnosis::strengthsInWords() const
 }
 
 
+Foam::string Foam::misfit::diagnosis::whatElsewhereSays() const
+{
+    for (const heldOut& h : found_.held)
+    {
+        if (h.use == purpose::gate && h.squareBefore >= limitOfNothing(h))
+        {
+            return
+                "held-out ones do not (gate " + inWords(failedGates(), "and")
+              + "). Fit those too to learn why.";
+        }
+    }
+    return
+        "but the solver fails in an experiment that should confirm it (gate"
+        " transfer).";
+}
+
+
+Foam::string Foam::misfit::diagnosis::whatIsStillOff() const
+{
+    OStringStream os;
+    os.precision(2);
+    for (const heldOut& h : found_.held)
+    {
+        if (h.use == purpose::gate && h.squareAfter > beyondChance)
+        {
+            os  << " With it " << h.what.c_str() << " still part from the"
+                << " simulation (mean square " << h.squareAfter << ", was "
+                << h.squareBefore << "; a match is 1).";
+        }
+    }
+    return os.str();
+}
+
+
+Foam::string Foam::misfit::diagnosis::whatCouldNotBeAsked() const
+{
+    wordList names;
+    for (const label m : never_)
+    {
+        names.append(mechanismNames()[m]);
+    }
+    return
+        names.empty() ? string()
+      : " The solver failed with " + inWords(names, "and")
+      + ", which therefore were not asked.";
+}
+
+
 Foam::string Foam::misfit::diagnosis::whatIsLeftOut() const
 {
     const bool named = found_.verdict == "named";
@@ -521,6 +579,7 @@ Foam::string Foam::misfit::diagnosis::whatIsLeftOut() const
         words += " There is more to it, which these channels do not settle.";
     }
     words += named ? whatMayBeAdded() : string();
+    words += whatIsStillOff() + whatCouldNotBeAsked();
     if (!wasTried())
     {
         words += " No held-out data with a misfit confirm it.";
@@ -539,12 +598,11 @@ void Foam::misfit::diagnosis::describe()
           : string("Recording and calibrated simulation agree within what is"
                 " uncertain.");
     }
-    else if (!confirmsNone())
+    else if (!passed("detection"))
     {
         found_.told =
-            "The channels that were fitted agree with the calibrated simulation,"
-            " held-out ones do not (gate " + inWords(failedGates(), "and")
-          + "). Fit those too to learn why.";
+            "The channels that were fitted agree with the calibrated simulation, "
+          + whatElsewhereSays();
     }
     else if (isUnproved())
     {
@@ -557,7 +615,7 @@ void Foam::misfit::diagnosis::describe()
     {
         found_.told =
             "Something is missing that is not in the library, or not only that: "
-          + whatFails();
+          + whatFails() + whatCouldNotBeAsked();
     }
     else if (found_.blamesChannel())
     {

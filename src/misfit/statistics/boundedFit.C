@@ -227,3 +227,19 @@ Foam::misfit::fitted Foam::misfit::fit
     findCovariance(model, white, best);
     return best;
 }
+
+
+Foam::misfit::fitted Foam::misfit::unfitted
+(
+    const fittedModel& model,
+    const vec& y,
+    const whitener& white,
+    const vec& x
+)
+{
+    fitted there;
+    there.x = x;
+    evaluate(model, y, white, there);
+    findCovariance(model, white, there);
+    return there;
+}

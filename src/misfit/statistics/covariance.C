@@ -276,6 +276,19 @@ void Foam::misfit::covariance::addDifference
 }
 
 
+void Foam::misfit::covariance::addDirections
+(
+    const string& source,
+    const mat& changes
+)
+{
+    if (changes.cols())
+    {
+        add(source, changes*changes.transpose());
+    }
+}
+
+
 Foam::misfit::mat Foam::misfit::covariance::at(const vec& f) const
 {
     mat all = fixed_ + ofGains(f);

@@ -50,11 +50,7 @@ void Foam::misfit::scan::addShapes(const mat& shapes)
         const vec w = white_(vec(shapes.col(i)));
         if (w.norm() > VSMALL)
         {
-            templates_.conservativeResize
-            (
-                Eigen::NoChange, templates_.cols() + 1
-            );
-            templates_.col(templates_.cols() - 1) = w.normalized();
+            appendColumn(templates_, w.normalized());
         }
     }
 }

@@ -3,6 +3,13 @@
 
 #include "stacked.H"
 
+void Foam::misfit::appendColumn(mat& m, const vec& v)
+{
+    m.conservativeResize(v.size(), m.cols() + 1);
+    m.rightCols(1) = v;
+}
+
+
 Foam::misfit::stacked
 Foam::misfit::stacked::without(const label omitted, List<label>& keep) const
 {

@@ -224,6 +224,24 @@ Foam::misfit::weighing::thoroughly(const weighed& quick) const
 }
 
 
+Foam::misfit::weighed Foam::misfit::weighing::where(const weighed& w) const
+{
+    const hypothesisModel model(surface_, bounds_, w.what);
+    weighed there(w);
+    if (!w.what.unknown)
+    {
+        there.covariance =
+            ownCovariance(w.what, model(w.best.x)) + otherFormula(w);
+    }
+    const whitener white(there.covariance);
+    there.best = unfitted(model, data_.y, white, w.best.x);
+    there.score =
+        there.best.objective + white.logDeterminant()
+      + w.what.size()*std::log(effectiveSize_) + w.number;
+    return there;
+}
+
+
 Foam::List<Foam::misfit::weighed> Foam::misfit::weighing::all
 (
     const List<label>& mechanisms,
