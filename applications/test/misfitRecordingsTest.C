@@ -263,6 +263,21 @@ TEST(misfitChannel, theQuietTimeBeforeTheArrivalShowsTheNoise)
 }
 
 
+TEST(misfitChannel, listsAreToldInPlainWords)
+{
+    const std::string good("t_s,p_Pa\n0,1\n1,2\n2,3\n");
+    expectSays(refusal("t,p_Pa\n0,1\n1,2\n2,3\n"), "Units of time: h min ms s");
+    expectSays(refusal("t_s,p_mm\n0,1\n1,2\n2,3\n"), "Valid units: MPa Pa bar");
+    expectSays(refusal("t_s,p_Pa\n0,1\n1\n2,3\n"), "columns: \"t_s\" \"p_Pa\"");
+    expectSays
+    (
+        refusal(good, "file \"S1.csv\"; column q;"),
+        "Its columns: \"t_s\" \"p_Pa\""
+    );
+    expectSays(refusal("t_s\n0\n1\n"), "one column only: \"t_s\"");
+}
+
+
 TEST(misfitChannel, aMissingUnitIsRefused)
 {
     expectSays(refusal("t_s,p\n0,1\n1,2\n2,3\n"), "has no known unit");
@@ -485,7 +500,7 @@ TEST(misfitRecordings, anUnknownNameIsRefused)
     expectSays
     (
         refusalOfAll(twoChannels + "experiments { B { } }"),
-        "Experiments: 1(B)"
+        "Experiments: B"
     );
 }
 

@@ -3,7 +3,7 @@
 
 #include "placesInMesh.H"
 
-#include "FlatOutput.H"
+#include "keywords.H"
 #include "polyMesh.H"
 #include "StringStream.H"
 
@@ -67,8 +67,8 @@ static string fault
     if (on.empty())
     {
         os << "is said to be on " << name
-            << ", but the mesh has the patches "
-            << flatOutput(mesh.boundaryMesh().names());
+            << ", but the mesh has the patches"
+            << keywords::listed(mesh.boundaryMesh().names()).c_str();
     }
     else if (!isAt(mesh, p, on))
     {

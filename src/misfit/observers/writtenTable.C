@@ -4,7 +4,7 @@
 #include "writtenTable.H"
 
 #include "DynamicList.H"
-#include "FlatOutput.H"
+#include "quoted.H"
 #include "OSspecific.H"
 #include "scalar.H"
 
@@ -146,7 +146,7 @@ Foam::label Foam::misfit::writtenTable::find(const string& name) const
     {
         FatalErrorInFunction
             << "The table " << folder_ << " has no column " << name
-            << ". Its columns: " << flatOutput(names_) << exit(FatalError);
+            << ". Its columns:" << quoted(names_).c_str() << exit(FatalError);
     }
     return i;
 }

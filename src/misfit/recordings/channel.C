@@ -4,8 +4,8 @@
 #include "channel.H"
 #include "csvTable.H"
 #include "keywords.H"
+#include "quoted.H"
 #include "units.H"
-#include "FlatOutput.H"
 #include "Tuple2.H"
 
 #include <algorithm>
@@ -60,8 +60,9 @@ const Foam::misfit::unit& checkedUnit
     {
         FatalIOErrorInFunction(dict)
             << what.c_str() << " is in " << name << ", which is no unit of "
-            << quantity << ". Valid units: "
-            << flatOutput(misfit::unitsOf(wanted)) << exit(FatalIOError);
+            << quantity << ". Valid units:"
+            << keywords::listed(misfit::unitsOf(wanted)).c_str()
+            << exit(FatalIOError);
     }
     return *found;
 }
@@ -99,8 +100,8 @@ Foam::scalarList Foam::misfit::channel::readColumn
             << "The column \"" << header.c_str() << "\" of " << table.file()
             << " has no known unit. Name it as "
             << (quantity == "time" ? "t_s or \"t [s]\"" : "p_Pa or \"p [Pa]\"")
-            << " in the file, or give " << key << " here. Units of " << quantity << ": "
-            << flatOutput(unitsOf(*findQuantity(quantity)))
+            << " in the file, or give " << key << " here. Units of " << quantity << ":"
+            << keywords::listed(unitsOf(*findQuantity(quantity))).c_str()
             << exit(FatalIOError);
     }
     if (!written.empty() && written != name)
@@ -146,8 +147,9 @@ void Foam::misfit::channel::readRecorded
     if (yColumn >= table.names().size())
     {
         FatalIOErrorInFunction(dict)
-            << "The file " << table.file() << " has one column only: "
-            << flatOutput(table.names()) << ". It needs one of time and one of values"
+            << "The file " << table.file() << " has one column only:"
+            << quoted(table.names()).c_str()
+            << ". It needs one of time and one of values"
             << exit(FatalIOError);
     }
 
@@ -165,8 +167,8 @@ void Foam::misfit::channel::readNumber(const dictionary& dict)
     {
         FatalIOErrorInFunction(dict)
             << "The channel " << name_ << " has a value, a number alone. It"
-            << " needs its unit and no file. Units of " << quantity_ << ": "
-            << flatOutput(unitsOf(*findQuantity(quantity_)))
+            << " needs its unit and no file. Units of " << quantity_ << ":"
+            << keywords::listed(unitsOf(*findQuantity(quantity_))).c_str()
             << exit(FatalIOError);
     }
     const scalar size =
@@ -391,7 +393,8 @@ Foam::misfit::channel::channel
     {
         FatalIOErrorInFunction(dict)
             << "The quantity " << quantity_ << " of the channel " << name
-            << " is not known. Valid quantities: " << flatOutput(quantityNames())
+            << " is not known. Valid quantities:"
+            << keywords::listed(quantityNames()).c_str()
             << exit(FatalIOError);
     }
     if (uncertainty_ <= 0)

@@ -2,7 +2,7 @@
 // A CSV file: lines of comment (#), a line of column names, lines of numbers.
 
 #include "csvTable.H"
-#include "FlatOutput.H"
+#include "quoted.H"
 #include "IFstream.H"
 #include "OSspecific.H"
 #include "DynamicList.H"
@@ -83,8 +83,8 @@ void Foam::misfit::csvTable::readRow
     {
         FatalErrorInFunction
             << "Line " << lineNumber << " of " << file_ << " has "
-            << cells.size() << " cells for " << names_.size() << " columns "
-            << flatOutput(names_) << exit(FatalError);
+            << cells.size() << " cells for " << names_.size() << " columns:"
+            << quoted(names_).c_str() << exit(FatalError);
     }
 
     forAll(cells, i)
@@ -155,6 +155,6 @@ Foam::label Foam::misfit::csvTable::find(const string& name) const
 
     FatalErrorInFunction
         << "The file " << file_ << " has no column " << name
-        << ". Its columns: " << flatOutput(names_) << exit(FatalError);
+        << ". Its columns:" << quoted(names_).c_str() << exit(FatalError);
     return -1;
 }

@@ -3,7 +3,6 @@
 
 #include "recordings.H"
 #include "keywords.H"
-#include "FlatOutput.H"
 
 #include <algorithm>
 
@@ -37,8 +36,8 @@ void Foam::misfit::recordings::readExperiments(const dictionary& dict)
     if (experiments(purpose::fit).empty())
     {
         FatalIOErrorInFunction(dict)
-            << "None of the experiments " << experiments_ << " is there to be"
-            << " fitted: give one of them  use fit;" << exit(FatalIOError);
+            << "None of the experiments" << keywords::listed(experiments_).c_str()
+            << " is there to be fitted: give one of them  use fit;" << exit(FatalIOError);
     }
 }
 
@@ -60,7 +59,8 @@ Foam::misfit::recordings::readHeldOut(const dictionary& dict) const
             {
                 FatalIOErrorInFunction(lists)
                     << "heldOut names " << name << ", which is no channel."
-                    << " Channels: " << flatOutput(dict.subDict("channels").toc())
+                    << " Channels:"
+                    << keywords::listed(dict.subDict("channels").toc()).c_str()
                     << exit(FatalIOError);
             }
             if (!held.insert(name, purposeNames[e.keyword()]))
@@ -141,8 +141,8 @@ Foam::misfit::recordings::recordings
         {
             FatalIOErrorInFunction(e.dict())
                 << "The channel " << c.name() << " belongs to the experiment "
-                << c.experiment() << ", which is not there. Experiments: "
-                << flatOutput(experiments_) << exit(FatalIOError);
+                << c.experiment() << ", which is not there. Experiments:"
+                << keywords::listed(experiments_).c_str() << exit(FatalIOError);
         }
         // What is only to be scored stays so, whatever its experiment is for
         c.use(std::max(use, this->use(c.experiment())));

@@ -4,7 +4,6 @@
 
 #include "unknowns.H"
 #include "keywords.H"
-#include "FlatOutput.H"
 
 namespace
 {
@@ -42,14 +41,17 @@ List<misfit::expectedSign> signsOf(const dictionary& dict)
             {
                 FatalIOErrorInFunction(dict)
                     << "A sign is (quantity feature up|down), for instance"
-                    << " (pressure peak up); this is " << s
+                    << " (pressure peak up); this is"
+                    << keywords::listed(s).c_str()
                     << exit(FatalIOError);
             }
             if (!misfit::featureNames.found(s[1]))
             {
                 FatalIOErrorInFunction(dict)
-                    << "The feature " << s[1] << " of a sign is not known. Valid: "
-                    << flatOutput(misfit::featureNames) << exit(FatalIOError);
+                    << "The feature " << s[1] << " of a sign is not known."
+                    << " Valid names:"
+                    << keywords::listed(misfit::featureNames).c_str()
+                    << exit(FatalIOError);
             }
             signs.append({s[0], s[1], s[2] == "up" ? 1.0 : -1.0});
         }
