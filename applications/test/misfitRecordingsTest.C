@@ -3,6 +3,7 @@
 // message where something is wrong with them.
 
 #include "recordings.H"
+#include "saidDuring.H"
 #include "temporaryFolder.H"
 #include "units.H"
 
@@ -260,6 +261,28 @@ TEST(misfitChannel, theQuietTimeBeforeTheArrivalShowsTheNoise)
     EXPECT_NEAR(c.uncertainty(), 5, 0.5);
     EXPECT_NEAR(c.memory(), 0.001/std::log(2.0), 0.0003);
     EXPECT_EQ(make(f, "file \"S1.csv\"; memory 0.3;").memory(), 0.3);
+}
+
+
+TEST(misfitChannel, aSensorThatShowsNoChangeIsToldOf)
+{
+    // The uncertainty is 2
+    const auto said = [](const std::string& numbers)
+    {
+        files f;
+        f.write("S1.csv", "t_s,p_Pa\n" + numbers);
+        return saidDuring([&]() { make(f, "file \"S1.csv\";"); });
+    };
+    const std::string words
+    (
+        "Channel S1 does not change by more than its uncertainty"
+    );
+    expectSays(said("0,7\n1,7\n2,7\n"), words);
+    expectSays(said("0,7\n1,8\n2,7.5\n"), words);
+    EXPECT_EQ(said("0,7\n1,10\n2,9\n"), "");
+
+    const files f;
+    EXPECT_EQ(saidDuring([&]() { make(f, "value 3; unit Pa;"); }), "");
 }
 
 

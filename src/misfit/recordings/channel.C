@@ -339,12 +339,13 @@ void Foam::misfit::channel::doubtUncertainty() const
 {
     const scalarList& y = recorded_.y;
     const scalar range = rangeOf(y);
-    if (y.size() > 1 && uncertainty_ > range)
+    if (y.size() > 1 && range <= uncertainty_)
     {
         WarningInFunction
-            << "The uncertainty of the channel " << name_ << ", "
-            << uncertainty_ << ", is larger than the range of its recording, "
-            << range << ", so it can say nothing. Is it in SI units?" << endl;
+            << "Channel " << name_ << " does not change by more than its uncertainty:"
+            << " its range is " << range << ", its uncertainty " << uncertainty_
+            << " (SI), so it can say little. Is the sensor dead or dry, or the"
+            << " uncertainty not in SI units?" << endl;
     }
 }
 
