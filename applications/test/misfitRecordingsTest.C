@@ -514,6 +514,32 @@ TEST(misfitRecordings, aCopyOfHeldOutDataIsRefused)
 }
 
 
+TEST(misfitRecordings, twoSensorsThatStayDryAreNotTakenForACopy)
+{
+    files f;
+    f.write("a.csv", "t_s,p_Pa\n0,0\n1,0\n2,0\n");
+    f.write("b.csv", "t_s,p_Pa\n0,0\n1,0\n2,0\n");
+    IStringStream is(twoChannels + "heldOut { gate (S2); }");
+    EXPECT_NO_THROW(recordings(dictionary(is), f.folder()));
+}
+
+
+TEST(misfitRecordings, theSameDataFittedTwiceAreToldOf)
+{
+    files f;
+    f.write("a.csv", "t_s,p_Pa\n0,1\n1,2\n2,4\n");
+    f.write("b.csv", "t_s,p_Pa\n0,1\n1,2\n2,4\n");
+    IStringStream is(twoChannels);
+    const dictionary dict(is);
+    const std::string said
+    (
+        saidDuring([&]() { EXPECT_NO_THROW(recordings(dict, f.folder())); })
+    );
+    expectSays(said, "The channels S1 and S2 are the same numbers");
+    expectSays(said, "count twice");
+}
+
+
 TEST(misfitRecordings, anUnknownNameIsRefused)
 {
     expectSays
