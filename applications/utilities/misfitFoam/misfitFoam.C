@@ -114,8 +114,12 @@ int main(int argc, char* argv[])
         const fileName corrected(folder/correctedCase);
         if (isDir(corrected))
         {
-            rmDir(corrected + ".before");
-            mv(corrected, corrected + ".before");
+            const fileName before(corrected + ".before");
+            if (isDir(before))
+            {
+                rmDir(before);
+            }
+            mv(corrected, before);
         }
     }
 
