@@ -4,6 +4,7 @@
 // the solver.
 
 #include "solverPredictor.H"
+#include "saidDuring.H"
 #include "temporaryFolder.H"
 #include "testMesh.H"
 #include "placesInMesh.H"
@@ -158,8 +159,8 @@ std::string refusal(const std::function<void()>& f)
 }
 
 
-//- What is said of the case where its dictionary has other words
-std::string refusalWith
+//- The dictionary of the case with other words
+dictionary dictWith
 (
     const fakeCase& c,
     const std::string& old,
@@ -170,12 +171,24 @@ std::string refusalWith
     c.dict().write(os, false);
     std::string text(os.str());
     text.replace(text.find(old), old.size(), other);
+    IStringStream is(text);
+    return dictionary(is);
+}
+
+
+//- What is said of the case where its dictionary has other words
+std::string refusalWith
+(
+    const fakeCase& c,
+    const std::string& old,
+    const std::string& other
+)
+{
     return refusal
     (
         [&]()
         {
-            IStringStream is(text);
-            const dictionary dict(is);
+            const dictionary dict(dictWith(c, old, other));
             const recordings r(dict, c.folder());
             solverPredictor(r, c.folder(), dict).predict({withSlope(2)});
         }
@@ -354,12 +367,10 @@ TEST(misfitRuns, runsOfOtherProgramsAreNotUsedWithoutAWord)
     setEnv("FOAM_USER_LIBBIN", c.folder()/"lib", true);
     const auto told = [&](const scalar slope = 2)
     {
-        testing::internal::CaptureStdout();
-        testing::internal::CaptureStderr();
-        EXPECT_TRUE(once(c, {withSlope(slope)}).first().ok());
-        return
-            testing::internal::GetCapturedStdout()
-          + testing::internal::GetCapturedStderr();
+        return saidDuring
+        (
+            [&]() { EXPECT_TRUE(once(c, {withSlope(slope)}).first().ok()); }
+        );
     };
     const char* changed = "libraries changed";
     EXPECT_EQ(told().find(changed), std::string::npos);
@@ -494,6 +505,43 @@ TEST(misfitRuns, aRunThatEndsTooEarlyIsNoPrediction)
 }
 
 
+TEST(misfitRuns, aRunThatBeginsTooLateIsNoPrediction)
+{
+    // From its first step on, or from amid its first cell, is early enough
+    for (const bool profile : {false, true})
+    {
+        for (const char* from : {"0.25", "1"})
+        {
+            const fakeCase c;
+            c.write("r.csv", "t_s,y_m\n0,0\n1,2\n2,4\n");
+            if (profile)
+            {
+                c.write("r.csv", "x_m,y_m\n0,0\n1,2\n2,4\n");
+            }
+            c.write
+            (
+                "system/solver",
+                "mkdir -p postProcessing/out/0\n"
+                "awk 'BEGIN { print \"# Time y\"; for (t = " + std::string(from)
+              + "; t <= 2; t += 0.25) print t, 2*t }' > postProcessing/out/0/out.dat\n"
+            );
+            const std::string key("quantity        length;");
+            const dictionary dict(dictWith(c, key, (profile ? "at 0; " : "") + key));
+            const recordings r(dict, c.folder());
+            solverPredictor p(r, c.folder(), dict);
+            const std::string failure(p.predict({withSlope(2)})[0].failure);
+            EXPECT_EQ(failure.empty(), from[0] == '0') << failure;
+            EXPECT_TRUE
+            (
+                failure.empty()
+             || failure.find("begins at 1 and the channel y was recorded from 0")
+             != std::string::npos
+            ) << failure;
+        }
+    }
+}
+
+
 TEST(misfitRuns, aProbeOutsideTheMeshIsRefused)
 {
     testMesh m;
@@ -573,13 +621,9 @@ TEST(misfitRuns, aCaseThatEndsBeforeItsRecordingIsToldOfBeforeTheFirst)
     const fakeCase c;
     c.write("system/controlDict", "#include \"more\"\nendTime 1.5;\n");
     fakePredictor p(c);
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
-    p.predict.predict({withSlope(2), withSlope(3)});
     const std::string told
     (
-        testing::internal::GetCapturedStdout()
-      + testing::internal::GetCapturedStderr()
+        saidDuring([&]() { p.predict.predict({withSlope(2), withSlope(3)}); })
     );
     const auto first = told.find("experiment A is 1.5 s");
     EXPECT_NE(first, std::string::npos) << told;
@@ -612,12 +656,10 @@ TEST(misfitRuns, otherWaterInAnotherMeshIsToldOfOnce)
         );
         runState finer(withSlope(2));
         finer.resolution = "mesh";
-        testing::internal::CaptureStdout();
-        testing::internal::CaptureStderr();
-        p.predict.predict({withSlope(2), finer, finer});
-        return
-            testing::internal::GetCapturedStdout()
-          + testing::internal::GetCapturedStderr();
+        return saidDuring
+        (
+            [&]() { p.predict.predict({withSlope(2), finer, finer}); }
+        );
     };
     EXPECT_EQ(told("0.301").find("more water"), std::string::npos);
     const std::string more(told("0.306"));

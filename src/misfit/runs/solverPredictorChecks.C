@@ -133,6 +133,45 @@ void Foam::misfit::solverPredictor::checkEnd
 }
 
 
+Foam::string Foam::misfit::solverPredictor::partNotCovered
+(
+    const channel& c,
+    const series& s
+)
+{
+    // A cell centre is up to half a cell from the wall, and the first reading over
+    // time stands after the first step. Single readings stand for as much as lies
+    // between them
+    const scalarList& x = c.recorded().x;
+    const label n = s.x.size();
+    const scalar lastStep = n > 1 ? s.x[n-1] - s.x[n-2] : 0;
+    const scalar firstStep = n > 1 ? s.x[1] - s.x[0] : 0;
+    const scalar firstSample =
+        c.overTime() && c.span() == 0 ? x[1] - x[0] : c.span();
+
+    const scalar late = x.first() + max(0.5*firstSample, firstStep);
+    const scalar enough =
+        c.overTime() ? needed(c) : x.last() - max(0.5*c.span(), lastStep);
+
+    const string whatToDo(", or give the channel an interval");
+    if (s.x.first() > late)
+    {
+        return
+            "it begins at " + Foam::name(s.x.first()) + " and the channel "
+          + c.name() + " was recorded from " + Foam::name(x.first())
+          + ": have it begin earlier" + whatToDo;
+    }
+    if (s.x.last() < enough)
+    {
+        return
+            "it ends at " + Foam::name(s.x.last()) + " and the channel "
+          + c.name() + " was recorded until " + Foam::name(x.last())
+          + ": run longer" + whatToDo;
+    }
+    return "";
+}
+
+
 Foam::string Foam::misfit::solverPredictor::fault
 (
     const channel& c,
@@ -155,22 +194,7 @@ Foam::string Foam::misfit::solverPredictor::fault
         return "";
     }
 
-    // A cell centre is up to half a cell from the wall
-    const label n = s.x.size();
-    const scalar step = n > 1 ? s.x[n-1] - s.x[n-2] : 0;
-    const scalar enough =
-        c.overTime()
-      ? needed(c)
-      : c.recorded().x.last() - max(0.5*c.span(), step);
-    if (s.x.last() < enough)
-    {
-        return
-            "it ends at " + Foam::name(s.x.last()) + " and the channel "
-          + c.name() + " was recorded until "
-          + Foam::name(c.recorded().x.last())
-          + ": run longer, or give the channel an interval";
-    }
-    return "";
+    return c.isNumber() ? string() : partNotCovered(c, s);
 }
 
 
