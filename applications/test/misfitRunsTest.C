@@ -397,6 +397,34 @@ TEST(misfitRuns, aCrashIsKeptWithItsReason)
 }
 
 
+TEST(misfitRuns, aScriptOutsideTheCaseThatChangedIsToldOf)
+{
+    const fakeCase c;
+    const auto said = [&](const std::string& words)
+    {
+        return saidDuring
+        (
+            [&]()
+            {
+                fakePredictor f
+                (
+                    c, "commands (\"bash " + words + "\" \"bash system/solver\"); "
+                );
+                EXPECT_TRUE(f({withSlope(2)}).first().ok());
+            }
+        );
+    };
+    for (const std::string& folder : {c.folder() + "/", std::string("../../../../")})
+    {
+        c.write("prepare", "true\n");
+        said("-e " + folder + "prepare");
+        EXPECT_EQ(said("-e " + folder + "prepare").find("changed"), std::string::npos);
+        c.write("prepare", "echo\n");
+        EXPECT_NE(said("-e " + folder + "prepare").find("changed"), std::string::npos);
+    }
+}
+
+
 TEST(misfitRuns, aRunThatCannotBeReadHasFailed)
 {
     const fakeCase c;

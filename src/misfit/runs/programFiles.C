@@ -14,19 +14,32 @@ namespace
 
 using namespace Foam;
 
-//- Where the shell finds a program; itself, if it has a path
+//- Where the shell finds a program; empty: nowhere
 fileName onPath(const string& program)
 {
     const string path(getEnv("PATH"));
     for (const auto& folder : stringOps::split(path, ':'))
     {
         const fileName file(fileName(folder.str())/program);
-        if (program.find('/') == string::npos && isFile(file, false))
+        if (isFile(file, false))
         {
             return file;
         }
     }
-    return program;
+    return fileName();
+}
+
+//- The file that a word of a command names, where it is no part of the case: that
+//  is known by its content. Empty: none
+fileName fileOf(const string& word, const bool isProgram, const fileName& folder)
+{
+    if (word.find('/') == string::npos)
+    {
+        return isProgram ? onPath(word) : fileName();
+    }
+    fileName file(word[0] == '/' ? fileName(word) : folder/word);
+    file.clean();
+    return isFile(file, false) && file.find(folder + '/') != 0 ? file : fileName();
 }
 
 //- True of misfitFoam itself and of tests, which no run calls
@@ -39,15 +52,24 @@ bool isNoPartOfRuns(const fileName& name)
 } // End anonymous namespace
 
 
-Foam::string Foam::misfit::programFiles(const stringList& commands)
+Foam::string Foam::misfit::programFiles
+(
+    const stringList& commands,
+    const fileName& folder
+)
 {
     std::set<fileName> files;
     for (const string& c : commands)
     {
-        const auto words(stringOps::splitSpace(c));
-        if (words.size())
+        bool first = true;
+        for (const auto& word : stringOps::splitSpace(c))
         {
-            files.insert(onPath(words[0].str()));
+            const fileName file(fileOf(word.str(), first, folder));
+            if (file.size())
+            {
+                files.insert(file);
+            }
+            first = false;
         }
     }
     for (const char* name : {"FOAM_USER_LIBBIN", "FOAM_USER_APPBIN"})

@@ -227,7 +227,7 @@ void Foam::misfit::runStore::prepare
     {
         lines += c + '\n';
     }
-    writeWhole(target/"programs", programFiles(commands_));
+    writeWhole(target/"programs", programFiles(commands_, folder_/"run"/"case"));
     writeWhole(target/"commands", lines);
 }
 
@@ -246,7 +246,7 @@ void Foam::misfit::runStore::takeLock()
 
 void Foam::misfit::runStore::checkSamePrograms(const List<wantedRun>& runs)
 {
-    const string now(programFiles(commands_));
+    const string now(programFiles(commands_, folder_/"run"/"case"));
     wordHashSet others;
     for (const wantedRun& run : runs)
     {
