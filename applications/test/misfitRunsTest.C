@@ -63,6 +63,8 @@ public:
             "echo x >> " + folder_ + "/count\n"
             "[ \"$slope\" != 9 ] || { echo the time step is too long; exit 3; }\n"
             "[ \"$slope\" != 8 ] || sleep 4\n"
+            "[ \"$slope\" != 6 ] || [ ! -e " + folder_ + "/full ] \\\n"
+            "    || mkdir ../finished.new\n"
             "mkdir -p postProcessing/out/0 1\n"
             "awk -v k=$slope -v l=${lift:-0} 'BEGIN { print \"# Time y\";"
             " for (t = 0; t <= 2; ++t) print t, k*t + l }'"
@@ -394,6 +396,41 @@ TEST(misfitRuns, aCrashIsKeptWithItsReason)
     }
     once(c, {withSlope(9)});
     EXPECT_EQ(c.count(), 2);
+}
+
+
+TEST(misfitRuns, aRunWhoseEndCouldNotBeWrittenIsNoResult)
+{
+    // As on a full disk
+    const fakeCase c;
+    c.write("full", "");
+    const std::string told
+    (
+        refusal([&]() { once(c, {withSlope(2), withSlope(6)}); })
+    );
+    EXPECT_NE(told.find("misfit/runs"), std::string::npos) << told;
+    EXPECT_EQ(c.count(), 2);
+
+    rm(c.folder()/"full");
+    const auto p(once(c, {withSlope(2), withSlope(6)}));
+    EXPECT_TRUE(p[0].ok() && p[1].ok());
+    EXPECT_EQ(p[1].channels[0].y, scalarList({0, 6, 12}));
+    EXPECT_EQ(c.count(), 3);
+}
+
+
+TEST(misfitRuns, aRunWhoseEndIsEmptyOrMissingDidNotGoWell)
+{
+    const fakeCase c;
+    once(c, {withSlope(2)});
+    const fileName runs(c.folder()/"misfit/runs");
+    const fileName run(runs/readDir(runs, fileName::DIRECTORY).first());
+    std::ofstream(run/"finished").close();
+    EXPECT_TRUE(once(c, {withSlope(2)})[0].ok());
+    EXPECT_EQ(c.count(), 2);
+
+    const runStore store(c.folder(), c.dict());
+    EXPECT_NE(store.failure({"never done", nullptr}), "");
 }
 
 

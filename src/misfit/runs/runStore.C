@@ -244,6 +244,44 @@ void Foam::misfit::runStore::takeLock()
 }
 
 
+void Foam::misfit::runStore::make(const wordHashSet& todo) const
+{
+    rm(folder_/"progress");
+    string command
+    (
+        "RANKS=" + Foam::name(ranks_)
+      + " TIME_LIMIT=" + Foam::name(timeLimit_)
+      + " RUNS=" + Foam::name(todo.size())
+      + " STARTED=$(date +%s)"
+      + " make --no-print-directory -s -C " + inQuotes(folder_)
+      + " -f \"$INTERDEMFOAM_DIR/etc/misfitRuns.mk\" -j " + Foam::name(jobs_)
+    );
+    for (const word& run : todo.sortedToc())
+    {
+        command += ' ' + run + "/finished";
+    }
+
+    if (Foam::system(command))
+    {
+        FatalErrorInFunction
+            << "The runs in " << folder_ << " were stopped. Those that are"
+            << " finished are kept: start misfitFoam again to go on"
+            << exit(FatalError);
+    }
+    for (const word& run : todo)
+    {
+        if (contentOf(folder_/run/"finished").empty())
+        {
+            FatalErrorInFunction
+                << "It is not known how the run " << folder_/run << " ended: it"
+                << " has no file 'finished', or an empty one. Is the disk full, or"
+                << " the folder not yours to write? Mend that and start misfitFoam"
+                << " again to go on" << exit(FatalError);
+        }
+    }
+}
+
+
 void Foam::misfit::runStore::checkSamePrograms(const List<wantedRun>& runs)
 {
     const string now(programFiles(commands_, folder_/"run"/"case"));
@@ -362,19 +400,14 @@ Foam::fileName Foam::misfit::runStore::caseOf(const wantedRun& run) const
 
 bool Foam::misfit::runStore::isFinished(const wantedRun& run) const
 {
-    const fileName file(folder_/name(run)/"finished");
-    if (!isFile(file, false))
+    const word its(name(run));
+    const string said(contentOf(folder_/its/"finished"));
+    if (said.empty() || said.find("ok") == 0 || tried_.found(its))
     {
-        return false;
-    }
-
-    if (tried_.found(name(run)))
-    {
-        return true;
+        return !said.empty();
     }
 
     // What another limit, or a machine with room, may mend is tried again
-    const string said(contentOf(file));
     const auto late = said.find(tookLonger);
     const bool hasMoreTime =
         late != string::npos
@@ -386,11 +419,17 @@ bool Foam::misfit::runStore::isFinished(const wantedRun& run) const
 
 Foam::string Foam::misfit::runStore::failure(const wantedRun& run) const
 {
-    const string said(contentOf(folder_/name(run)/"finished"));
+    const fileName file(folder_/name(run)/"finished");
+    const string said(contentOf(file));
+    if (said.find("ok") == 0)
+    {
+        return string();
+    }
+    const string reason(said.substr(min(said.find('\n'), said.size())));
     return
-        said.find("ok") == 0
-      ? string()
-      : string(said.substr(min(said.find('\n'), said.size())));
+        reason.size()
+      ? reason
+      : string("how it ended is not known: no reason stands in " + file);
 }
 
 
@@ -479,32 +518,11 @@ void Foam::misfit::runStore::finish(const List<wantedRun>& runs)
             prepare(name(run), run);
         }
     }
-    tried_ |= todo;
     if (todo.empty())
     {
         return;
     }
 
-    rm(folder_/"progress");
-    string command
-    (
-        "RANKS=" + Foam::name(ranks_)
-      + " TIME_LIMIT=" + Foam::name(timeLimit_)
-      + " RUNS=" + Foam::name(todo.size())
-      + " STARTED=$(date +%s)"
-      + " make --no-print-directory -s -C " + inQuotes(folder_)
-      + " -f \"$INTERDEMFOAM_DIR/etc/misfitRuns.mk\" -j " + Foam::name(jobs_)
-    );
-    for (const word& run : todo.sortedToc())
-    {
-        command += ' ' + run + "/finished";
-    }
-
-    if (Foam::system(command))
-    {
-        FatalErrorInFunction
-            << "The runs in " << folder_ << " were stopped. Those that are"
-            << " finished are kept: start misfitFoam again to go on"
-            << exit(FatalError);
-    }
+    tried_ |= todo;
+    make(todo);
 }
