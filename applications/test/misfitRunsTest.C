@@ -434,6 +434,36 @@ TEST(misfitRuns, aRunWhoseEndIsEmptyOrMissingDidNotGoWell)
 }
 
 
+TEST(misfitRuns, aCaseThatIsEditedMeanwhileIsNotRun)
+{
+    const fakeCase c;
+    const std::string before(content(c.folder()/"constant/script"));
+    {
+        fakePredictor f(c);
+        f({withSlope(2)});
+        c.write("constant/script", before + "run 1\n");
+
+        const std::string told(refusal([&]() { f({withSlope(3)}); }));
+        EXPECT_NE(told.find("was changed"), std::string::npos) << told;
+        EXPECT_NE(told.find("constant/script"), std::string::npos) << told;
+        EXPECT_EQ(told.find("constant/model"), std::string::npos) << told;
+        const auto makeCorrected = [&]()
+        {
+            f.predict.makeCase(withSlope(3), c.folder()/"misfit/corrected");
+        };
+        EXPECT_NE(refusal(makeCorrected).find("was changed"), std::string::npos);
+        EXPECT_EQ(c.count(), 1);
+    }
+
+    // As it is now it is another case, and as it was it goes on
+    once(c, {withSlope(2)});
+    EXPECT_EQ(c.count(), 2);
+    c.write("constant/script", before);
+    once(c, {withSlope(2), withSlope(3)});
+    EXPECT_EQ(c.count(), 3);
+}
+
+
 TEST(misfitRuns, aScriptOutsideTheCaseThatChangedIsToldOf)
 {
     const fakeCase c;

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <fcntl.h>
 #include <filesystem>
+#include <set>
 #include <sys/file.h>
 #include <thread>
 #include <unistd.h>
@@ -136,7 +137,8 @@ Foam::fileNameList Foam::misfit::runStore::files() const
 }
 
 
-Foam::string Foam::misfit::runStore::hashTemplate() const
+std::map<Foam::fileName, Foam::string>
+Foam::misfit::runStore::digests() const
 {
     // A mesh that blockMesh makes anew is not what the run is made of
     bool meshIsMade = false;
@@ -145,7 +147,7 @@ Foam::string Foam::misfit::runStore::hashTemplate() const
         meshIsMade = meshIsMade || c.find("blockMesh") != string::npos;
     }
 
-    string all;
+    std::map<fileName, string> all;
     for (const fileName& f : files())
     {
         const bool ofMesh = f.find("/polyMesh/") != string::npos;
@@ -153,10 +155,45 @@ Foam::string Foam::misfit::runStore::hashTemplate() const
             f.name() == "misfitDict" || f.name() == dictName_.name();
         if (!asks && !(ofMesh && meshIsMade))
         {
-            all += f.substr(template_.size()) + digest(contentOf(f)) + '\n';
+            all[f.substr(template_.size())] = digest(contentOf(f));
         }
     }
-    return digest(all);
+    return all;
+}
+
+
+void Foam::misfit::runStore::checkUnchanged() const
+{
+    const auto now(digests());
+    std::set<fileName> changed;
+    for (const auto* some : {&now, &digests_})
+    {
+        for (const auto& file : *some)
+        {
+            const auto a = now.find(file.first);
+            const auto b = digests_.find(file.first);
+            if (a == now.end() || b == digests_.end() || a->second != b->second)
+            {
+                changed.insert(file.first);
+            }
+        }
+    }
+    if (changed.empty())
+    {
+        return;
+    }
+
+    string names;
+    for (const fileName& file : changed)
+    {
+        names += "\n        " + template_ + file;
+    }
+    FatalErrorInFunction
+        << "The case was changed while misfitFoam worked with it. Changed, added or"
+        << " removed:" << names.c_str() << nl
+        << "    Runs of two cases cannot be compared, so no more are done. Put this"
+        << " back as it was and start misfitFoam again: it goes on. Or start it with"
+        << " the case as it is now: its runs are done from the first" << exit(FatalError);
 }
 
 
@@ -208,6 +245,26 @@ void Foam::misfit::runStore::checkPrograms() const
 }
 
 
+void Foam::misfit::runStore::copyAndChange
+(
+    const fileName& target,
+    const wantedRun& run
+) const
+{
+    if (isDir(target))
+    {
+        rmDir(target);
+    }
+    mkDir(target);
+
+    for (const fileName& f : files())
+    {
+        copyFile(f, target/inCase(f.substr(template_.size() + 1)));
+    }
+    run.change(target);
+}
+
+
 void Foam::misfit::runStore::prepare
 (
     const word& name,
@@ -219,7 +276,7 @@ void Foam::misfit::runStore::prepare
     {
         rmDir(target);
     }
-    makeCase(target/"case", run);
+    copyAndChange(target/"case", run);
 
     writeWhole(target/"about", run.told + '\n');
     string lines;
@@ -377,7 +434,14 @@ Foam::misfit::runStore::runStore
     }
     checkCut();
     mkDir(folder_);
-    templateHash_ = hashTemplate();
+    digests_ = digests();
+
+    string all;
+    for (const auto& file : digests_)
+    {
+        all += file.first + file.second + '\n';
+    }
+    templateHash_ = digest(all);
 }
 
 
@@ -488,17 +552,8 @@ void Foam::misfit::runStore::makeCase
     const wantedRun& run
 ) const
 {
-    if (isDir(target))
-    {
-        rmDir(target);
-    }
-    mkDir(target);
-
-    for (const fileName& f : files())
-    {
-        copyFile(f, target/inCase(f.substr(template_.size() + 1)));
-    }
-    run.change(target);
+    copyAndChange(target, run);
+    checkUnchanged();
 }
 
 
@@ -523,6 +578,7 @@ void Foam::misfit::runStore::finish(const List<wantedRun>& runs)
         return;
     }
 
+    checkUnchanged();
     tried_ |= todo;
     make(todo);
 }
