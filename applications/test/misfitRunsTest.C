@@ -63,6 +63,7 @@ public:
             "echo x >> " + folder_ + "/count\n"
             "[ \"$slope\" != 9 ] || { echo the time step is too long; exit 3; }\n"
             "[ \"$slope\" != 8 ] || sleep 4\n"
+            "[ \"$slope\" != 7 ] || kill -TERM $$\n"
             "[ \"$slope\" != 6 ] || [ ! -e " + folder_ + "/full ] \\\n"
             "    || mkdir ../finished.new\n"
             "mkdir -p postProcessing/out/0 1\n"
@@ -394,8 +395,41 @@ TEST(misfitRuns, aCrashIsKeptWithItsReason)
         EXPECT_TRUE(p[1].ok());
         EXPECT_NE(p[0].failure.find("time step is too long"), std::string::npos);
     }
-    once(c, {withSlope(9)});
-    EXPECT_EQ(c.count(), 2);
+}
+
+
+TEST(misfitRuns, whatFailedIsTriedOnceMoreByANewCallOnly)
+{
+    const fakeCase c;
+    const char* again = "1 failed in an earlier call";
+    {
+        fakePredictor first(c);
+        first({withSlope(9), withSlope(2)});
+        const std::string said(saidDuring([&]() { first({withSlope(9)}); }));
+        EXPECT_EQ(said.find(again), std::string::npos) << said;
+        EXPECT_EQ(c.count(), 2);
+    }
+
+    const auto callAnew = [&]()
+    {
+        const prediction p(once(c, {withSlope(9), withSlope(2)})[0]);
+        EXPECT_NE(p.failure.find("time step is too long"), std::string::npos);
+    };
+    EXPECT_NE(saidDuring(callAnew).find(again), std::string::npos);
+    EXPECT_EQ(c.count(), 3);
+    EXPECT_EQ(saidDuring(callAnew).find(again), std::string::npos);
+    EXPECT_EQ(c.count(), 3);
+}
+
+
+TEST(misfitRuns, whatWasStoppedFromOutsideIsTriedByEachCall)
+{
+    const fakeCase c;
+    for (label call = 1; call < 4; ++call)
+    {
+        EXPECT_FALSE(once(c, {withSlope(7)})[0].ok());
+        EXPECT_EQ(c.count(), call);
+    }
 }
 
 

@@ -86,6 +86,15 @@ const string cutByUs("// Cuts along the chute");
 const string tookLonger(" took longer than ");
 
 
+//- How it tells of a program that was killed by somebody else, perhaps by a machine
+//  without room, or told to stop
+const char* const stoppedFromOutside[] = {" ended with 137", " ended with 143"};
+
+
+//- In the folder of a run that is tried again: how it failed before
+const word failedBefore("failedBefore");
+
+
 string inQuotes(const fileName& path)
 {
     return "'" + path + "'";
@@ -272,11 +281,20 @@ void Foam::misfit::runStore::prepare
 ) const
 {
     const fileName target(folder_/name);
+    string failed(contentOf(target/"finished"));
+    if (failed.empty())
+    {
+        failed = contentOf(target/failedBefore);
+    }
     if (isDir(target))
     {
         rmDir(target);
     }
     copyAndChange(target/"case", run);
+    if (failed.size())
+    {
+        writeWhole(target/failedBefore, failed);
+    }
 
     writeWhole(target/"about", run.told + '\n');
     string lines;
@@ -471,13 +489,20 @@ bool Foam::misfit::runStore::isFinished(const wantedRun& run) const
         return !said.empty();
     }
 
-    // What another limit, or a machine with room, may mend is tried again
     const auto late = said.find(tookLonger);
-    const bool hasMoreTime =
-        late != string::npos
-     && timeLimit_ > std::atof(said.c_str() + late + tookLonger.size());
-    const bool wasKilled = said.find(" ended with 137") != string::npos;
-    return !hasMoreTime && !wasKilled;
+    if (late != string::npos)
+    {
+        return timeLimit_ <= std::atof(said.c_str() + late + tookLonger.size());
+    }
+
+    // That it failed need not be its own fault: the disk may have been full. But
+    // what fails twice is not to cost a run in each call
+    bool isKept = isFile(folder_/its/failedBefore, false);
+    for (const char* const stopped : stoppedFromOutside)
+    {
+        isKept = isKept && said.find(stopped) == string::npos;
+    }
+    return isKept;
 }
 
 
@@ -566,10 +591,12 @@ void Foam::misfit::runStore::finish(const List<wantedRun>& runs)
     checkSamePrograms(runs);
 
     wordHashSet todo;
+    label failed = 0;
     for (const wantedRun& run : runs)
     {
         if (!isFinished(run) && todo.insert(name(run)))
         {
+            failed += isFile(folder_/name(run)/"finished", false);
             prepare(name(run), run);
         }
     }
@@ -580,5 +607,10 @@ void Foam::misfit::runStore::finish(const List<wantedRun>& runs)
 
     checkUnchanged();
     tried_ |= todo;
+    if (failed)
+    {
+        Info<< "    Of these runs, " << failed << " failed in an earlier call and"
+            << " are tried again" << endl;
+    }
     make(todo);
 }

@@ -293,7 +293,8 @@ Foam::misfit::solverPredictor::predict(const List<runState>& states)
         {
             Info<< "    Failed: " << told(states[i]).c_str() << ": "
                 << found[i].failure.c_str() << nl << "    kept in "
-                << store_.caseOf(runs[i]).path() << endl;
+                << store_.caseOf(runs[i]).path()
+                << ": remove this folder to have it done again" << endl;
         }
     }
     return found;
