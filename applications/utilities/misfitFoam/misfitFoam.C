@@ -35,8 +35,11 @@ void tellPlan
     const label refits = (set.refit + 3)*set.common;
     Info<< "S6 refit: " << refits << " to " << refits*set.passes
         << " runs at states that S5 will find" << nl
-        << "S7 gates: 2 runs of each experiment that is scored, "
-        << 3 + set.resolutions.size() << " of each that gates" << nl;
+        << "S7 gates: " << 2*set.common
+        << " runs of each experiment that is scored, up to "
+        << (2 + set.parameters.size())*set.common + set.packings
+         + set.resolutions.size()
+        << " of each that gates" << nl;
     if (set.correction.size())
     {
         Info<< "S8 refit: at most " << 4*set.passes*set.common
