@@ -21,7 +21,8 @@ Foam::misfit::settings Foam::misfit::worldSettings()
     s.faults =
     {
         kind::lag, kind::gain, kind::zero, kind::drift, kind::clock,
-        kind::clogged, kind::swapped, kind::misplaced, kind::units
+        kind::clogged, kind::swapped, kind::misplaced, kind::units,
+        kind::dead, kind::saturated
     };
     s.trigger = 0.005;
     s.draws = 500;

@@ -91,12 +91,11 @@ Foam::misfit::diagnosis::shapes(const weighed& base) const
         }
     }
 
-    // A small fault: a hundredth of the way to the largest
     for (const sensorFault& f : possibleFaults(fit_->data(), settings_.faults))
     {
         if (f.size() == 1)
         {
-            add(f(base.best.f, 0.01*f.upper()) - base.best.f);
+            add(f(base.best.f, f.slight()) - base.best.f);
         }
     }
     return all;

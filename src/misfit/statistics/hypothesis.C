@@ -109,14 +109,16 @@ Foam::misfit::hypothesisModel::slopes(const vec& x) const
         return s;
     }
 
-    // What a fault shows is linear in what it should show
+    // A small step: what a fault shows is linear in what it should show, but for
+    // a saturated one
+    constexpr scalar part = 1e-4;
     const sensorFault& fault = *hypothesis_.fault;
     const vec f = surface_(all);
     const vec u = ofFault(x);
     const vec shown = fault(f, u);
     for (label i = 0; i < nP + nM; ++i)
     {
-        s.col(i) = fault(f + vec(s.col(i)), u) - shown;
+        s.col(i) = (fault(f + part*vec(s.col(i)), u) - shown)/part;
     }
     const vec range = fault.upper() - fault.lower();
     for (label i = 0; i < u.size(); ++i)

@@ -20,7 +20,9 @@ Foam::misfit::sensorFault::names
     {kind::clogged, "clogged"},
     {kind::swapped, "swapped"},
     {kind::misplaced, "misplaced"},
-    {kind::units, "units"}
+    {kind::units, "units"},
+    {kind::dead, "dead"},
+    {kind::saturated, "saturated"}
 });
 
 
@@ -50,6 +52,19 @@ vec numbers(std::initializer_list<scalar> list)
     return v;
 }
 
+
+//- A number to be read: three digits, nought where it is far below its noise
+scalar threeDigits(const scalar value, const scalar noise)
+{
+    if (mag(value) <= max(0.01*noise, VSMALL))
+    {
+        return 0;
+    }
+    const scalar last =
+        std::pow(10.0, std::floor(std::log10(mag(value))) - 2);
+    return last*std::round(value/last);
+}
+
 } // End anonymous namespace
 
 
@@ -58,6 +73,12 @@ vec numbers(std::initializer_list<scalar> list)
 Foam::scalar Foam::misfit::sensorFault::range() const
 {
     return max(at().range(data_->y), SMALL);
+}
+
+
+Foam::scalar Foam::misfit::sensorFault::top() const
+{
+    return at().of(data_->y).maxCoeff();
 }
 
 
@@ -112,14 +133,14 @@ Foam::misfit::vec Foam::misfit::sensorFault::across
 
 Foam::misfit::sensorFault::sensorFault
 (
-    const stacked& data,
+    const std::shared_ptr<const stacked>& data,
     const kind k,
     const label segment,
     const label other,
     const scalar factor
 )
 :
-    data_(&data),
+    data_(data),
     kind_(k),
     segment_(segment),
     other_(other),
@@ -129,7 +150,7 @@ Foam::misfit::sensorFault::sensorFault
 
 Foam::misfit::sensorFault::sensorFault
 (
-    const stacked& data,
+    const std::shared_ptr<const stacked>& data,
     const List<label>& recorded
 )
 :
@@ -154,12 +175,16 @@ Foam::string Foam::misfit::sensorFault::told() const
 }
 
 
-Foam::string Foam::misfit::sensorFault::told(const vec& u) const
+Foam::string Foam::misfit::sensorFault::told(const vec& unknowns) const
 {
     OStringStream os;
-    os.precision(3);
+    os.precision(7);
     os << channel().c_str();
     const string unit(" " + siUnit(at().quantity));
+    const vec u = unknowns.unaryExpr
+    (
+        [](const scalar v) { return threeDigits(v, 0); }
+    );
     switch (kind_)
     {
         case kind::lag:
@@ -199,6 +224,14 @@ Foam::string Foam::misfit::sensorFault::told(const vec& u) const
             os << " is in another unit: its values are " << factor_
                 << " times what they should be";
             break;
+        case kind::dead:
+            os << " shows " << threeDigits(u[0], at().uncertainty) << unit.c_str()
+                << " throughout, whatever happens: it is dead or stuck";
+            break;
+        case kind::saturated:
+            os << " is saturated: it shows nothing above " << u[0]
+                << unit.c_str();
+            break;
     }
     return os.str();
 }
@@ -225,15 +258,18 @@ Foam::label Foam::misfit::sensorFault::size() const
 
 Foam::misfit::vec Foam::misfit::sensorFault::lower() const
 {
+    // A series with less than a twentieth of its gain is told as dead
     switch (kind_)
     {
         case kind::lag: return numbers({0});
-        case kind::gain: return numbers({-1});
+        case kind::gain: return numbers({at().isNumber() ? -1 : -0.95});
         case kind::zero: return numbers({-10*range()});
         case kind::drift: return numbers({-10*range()});
         case kind::clock: return numbers({-0.5*at().duration()});
         case kind::clogged: return numbers({0, -1});
         case kind::misplaced: return numbers({0});
+        case kind::dead: return numbers({top() - range() - at().uncertainty});
+        case kind::saturated: return numbers({top() - range()});
         default: return vec(0);
     }
 }
@@ -250,7 +286,20 @@ Foam::misfit::vec Foam::misfit::sensorFault::upper() const
         case kind::clock: return numbers({0.5*at().duration()});
         case kind::clogged: return numbers({2*at().duration(), 0});
         case kind::misplaced: return numbers({1.5});
+        case kind::dead: return numbers({top() + at().uncertainty});
+        case kind::saturated: return numbers({top() + 0.05*range()});
         default: return vec(0);
+    }
+}
+
+
+Foam::misfit::vec Foam::misfit::sensorFault::slight() const
+{
+    switch (kind_)
+    {
+        case kind::dead: return numbers({at().of(data_->y).mean()});
+        case kind::saturated: return numbers({top() - 0.05*range()});
+        default: return 0.01*upper();
     }
 }
 
@@ -272,6 +321,10 @@ Foam::List<Foam::misfit::vec> Foam::misfit::sensorFault::starts() const
             return {numbers({0.05*d, -0.3}), numbers({0.5*d, -0.05})};
         case kind::misplaced:
             return {numbers({0.3})};
+        case kind::dead:
+            return {slight()};
+        case kind::saturated:
+            return {slight(), numbers({top() - 0.2*range()})};
         default:
             return {vec(vec::Zero(size()))};
     }
@@ -328,6 +381,12 @@ Foam::misfit::sensorFault::operator()(const vec& f, const vec& u) const
         case kind::units:
             here *= factor_;
             break;
+        case kind::dead:
+            here.setConstant(u[0]);
+            break;
+        case kind::saturated:
+            here = here.cwiseMin(u[0]).eval();
+            break;
     }
     return shown;
 }
@@ -351,6 +410,146 @@ std::map<std::string, List<label>> recorders(const stacked& data)
     return channels;
 }
 
+
+//- Standard deviation of the noise of a sample
+scalar noiseOf(const segment& s)
+{
+    return
+        s.memory > 0 ? s.uncertainty
+      : s.uncertainty*std::sqrt(s.readings.cwiseInverse().mean());
+}
+
+
+//- True if the record shows no more than noise around a constant. One in a unit that
+//  is a thousand times too large varies by less than its noise, too, but smoothly:
+//  less from one sample to the next than noise does (von Neumann 1941, Ann. Math.
+//  Stat. 12:367)
+bool isFlat(const segment& s, const vec& y)
+{
+    if (s.isNumber())
+    {
+        return false;
+    }
+    const vec v = s.of(y).array() - s.of(y).mean();
+    const vec step = v.tail(s.size - 1) - v.head(s.size - 1);
+    const scalar kept =
+        s.memory > 0 ? std::exp(-s.duration()/(s.size - 1)/s.memory) : 0;
+    return
+        v.squaredNorm() <= s.size*sqr(1.5*noiseOf(s))
+     && step.squaredNorm() >= (1 - kept)*v.squaredNorm();
+}
+
+
+//- True if the record stays at its highest value, but for noise, for three samples
+bool staysAtTop(const segment& s, const vec& y)
+{
+    label peak = 0;
+    const scalar least = s.of(y).maxCoeff(&peak) - 4*noiseOf(s);
+    label n = 1;
+    for (label i = peak + 1; i < s.size && y[s.first + i] >= least; ++i)
+    {
+        ++n;
+    }
+    for (label i = peak - 1; i >= 0 && y[s.first + i] >= least; --i)
+    {
+        ++n;
+    }
+    return n > 2;
+}
+
+
+//- True if a channel that shows y can have such a fault
+bool canHave(const sensorFault::kind k, const segment& s, const vec& y)
+{
+    using kind = sensorFault::kind;
+    switch (k)
+    {
+        case kind::lag:
+        case kind::drift:
+        case kind::clock:
+        case kind::clogged:
+            return s.overTime;
+
+        // A number alone that is off by some is off by a share, too
+        case kind::zero:
+        case kind::swapped:
+        case kind::misplaced:
+            return !s.isNumber();
+
+        // Nothing is nothing in any unit
+        case kind::units:
+            return !isFlat(s, y) || mag(s.of(y).mean()) > 3*s.uncertainty;
+
+        case kind::dead:
+            return isFlat(s, y);
+
+        case kind::saturated:
+            return staysAtTop(s, y) && !isFlat(s, y);
+
+        default:
+            return true;
+    }
+}
+
+
+//- The other channels with which one can be exchanged, or on whose way it can be
+List<label> others(const stacked& data, const sensorFault::kind k, const label i)
+{
+    const segment& a = data.segments[i];
+    List<label> all;
+    forAll(data.segments, j)
+    {
+        const segment& b = data.segments[j];
+        const bool alike =
+            a.quantity == b.quantity && a.overTime == b.overTime
+         && !b.isNumber();
+        if
+        (
+            alike && i != j
+         && (k == sensorFault::kind::misplaced || i < j)
+        )
+        {
+            all.append(j);
+        }
+    }
+    return all;
+}
+
+
+//- The faults of that kind that a channel can have
+void addFaults
+(
+    const std::shared_ptr<const stacked>& data,
+    const sensorFault::kind k,
+    const label i,
+    List<sensorFault>& all
+)
+{
+    using kind = sensorFault::kind;
+    if (!canHave(k, data->segments[i], data->y))
+    {
+        return;
+    }
+    if (k == kind::units)
+    {
+        for (const scalar f : {1e-3, 1e3, 0.01, 100., 0.1, 10., -1.})
+        {
+            all.append(sensorFault(data, k, i, -1, f));
+        }
+    }
+    else if (k == kind::swapped || k == kind::misplaced)
+    {
+        for (const label j : others(*data, k, i))
+        {
+            all.append(sensorFault(data, k, i, j));
+        }
+    }
+    else
+    {
+        all.append(sensorFault(data, k, i));
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -367,7 +566,8 @@ Foam::misfit::vec Foam::misfit::sensorFault::elsewhere
         recorded_.empty() ? std::string() : std::string(at().recorder)
     );
     return
-        same == there.end() ? f : sensorFault(other, same->second)(f, u);
+        same == there.end() ? f
+      : sensorFault(std::make_shared<const stacked>(other), same->second)(f, u);
 }
 
 
@@ -377,59 +577,23 @@ Foam::List<Foam::misfit::sensorFault> Foam::misfit::possibleFaults
     const List<sensorFault::kind>& kinds
 )
 {
-    using kind = sensorFault::kind;
+    const auto kept = std::make_shared<const stacked>(data);
     List<sensorFault> all;
-    if (kinds.found(kind::clock))
+    if (kinds.found(sensorFault::kind::clock))
     {
         for (const auto& recorder : recorders(data))
         {
             if (recorder.second.size() > 1)
             {
-                all.append(sensorFault(data, recorder.second));
+                all.append(sensorFault(kept, recorder.second));
             }
         }
     }
     forAll(data.segments, i)
     {
-        const segment& a = data.segments[i];
-        for (const kind k : kinds)
+        for (const sensorFault::kind k : kinds)
         {
-            const bool needsTime =
-                k == kind::lag || k == kind::drift || k == kind::clock
-             || k == kind::clogged;
-
-            // A number alone that is off by some is off by a share, too
-            const bool needsSeries =
-                k == kind::zero || k == kind::swapped || k == kind::misplaced;
-
-            if ((needsTime && !a.overTime) || (needsSeries && a.isNumber()))
-            {
-                continue;
-            }
-            if (k == kind::units)
-            {
-                for (const scalar f : {1e-3, 1e3, 0.01, 100., 0.1, 10., -1.})
-                {
-                    all.append(sensorFault(data, k, i, -1, f));
-                }
-                continue;
-            }
-            if (k != kind::swapped && k != kind::misplaced)
-            {
-                all.append(sensorFault(data, k, i));
-                continue;
-            }
-            forAll(data.segments, j)
-            {
-                const segment& b = data.segments[j];
-                const bool alike =
-                    a.quantity == b.quantity && a.overTime == b.overTime
-                 && !b.isNumber();
-                if (alike && i != j && (k == kind::misplaced || i < j))
-                {
-                    all.append(sensorFault(data, k, i, j));
-                }
-            }
+            addFaults(kept, k, i, all);
         }
     }
     return all;

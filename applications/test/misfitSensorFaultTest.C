@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which fault of a sensor is said: sensors that show nothing, or not all, beside
+// those that show it wrongly.
+
+#include "worldDiagnosis.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+namespace
+{
+
+using kind = sensorFault::kind;
+
+//- The record of P1 of a flow in which nothing is missing
+vec trueP1()
+{
+    const world w(20);
+    return w.data.segments[0].of(w(truth(-1, 0), 1));
+}
+
+
+//- What a diagnosis says where P1 should have shown trueP1() and showed this, plus noise
+finding diagnosed(const vec& shown)
+{
+    const world w(20);
+    vec added = vec::Zero(w.data.size());
+    w.data.segments[0].of(added) = shown - trueP1();
+    worldSampler s(truth(-1, 0), 300, added);
+    const finding f(diagnose(s));
+    show(f);
+    return f;
+}
+
+
+//- That verdict on P1, with these words
+void expectP1(const finding& f, const word& verdict, const std::string& words)
+{
+    EXPECT_EQ(f.verdict, verdict);
+    EXPECT_EQ(f.names, wordList({"P1"}));
+    EXPECT_NE(f.told.find(words), std::string::npos) << f.told;
+}
+
+
+//- What P1 alone may have, of these kinds, where it shows that
+label possible(const vec& shown, const List<kind>& kinds)
+{
+    world w(20);
+    w.data.y = w(truth(-1, 0));
+    w.data.segments[0].of(w.data.y) = shown;
+    label n = 0;
+    for (const sensorFault& f : possibleFaults(w.data, kinds))
+    {
+        n += f.channel() == "P1";
+    }
+    return n;
+}
+
+} // End anonymous namespace
+
+
+TEST(misfitSensorFault, oneThatShowsNothingIsDead)
+{
+    worldSampler s(truth(-1, 0), 300, vec());
+    s.mislabel(0);
+    const finding f(diagnose(s));
+    show(f);
+    expectP1(f, "sensor", "P1 shows 0 Pa throughout, whatever happens: it is dead");
+}
+
+
+TEST(misfitSensorFault, oneThatIsStuckAtSomethingIsDeadToo)
+{
+    for (const scalar c : {-300., 0., 40., 500., 2000.})
+    {
+        expectP1(diagnosed(vec::Constant(20, c)), "sensor", "dead or stuck");
+    }
+}
+
+
+TEST(misfitSensorFault, oneThatShowsNothingAboveAValueIsSaturated)
+{
+    const vec f = trueP1();
+    const scalar range = f.maxCoeff() - f.minCoeff();
+    for (const scalar share : {0.4, 0.6, 0.75, 0.9})
+    {
+        const scalar c = f.minCoeff() + share*range;
+        const finding found(diagnosed(f.cwiseMin(c)));
+        expectP1(found, "sensor", "P1 is saturated: it shows nothing above ");
+        EXPECT_NEAR(found.explanations[0].best.x.tail(1)[0], c, 0.05*range);
+    }
+}
+
+
+TEST(misfitSensorFault, theOthersAreStillTold)
+{
+    const vec f = trueP1();
+    expectP1(diagnosed(1.3*f), "sensor", "% too high");
+    expectP1(diagnosed(0.1*f), "sensor", "% too low");
+    expectP1(diagnosed(f.array() + 90), "sensor", "zero is off");
+    expectP1(diagnosed(f.array() - 90), "sensor", "zero is off");
+    expectP1(diagnosed(-f), "registration", "in another unit");
+    for (const scalar factor : {1e-3, 0.1, 10., 1e3})
+    {
+        worldSampler s(truth(-1, 0), 300, vec());
+        s.mislabel(factor);
+        expectP1(diagnose(s), "registration", "in another unit");
+    }
+
+    const segment s(world(20).data.segments[0]);
+    vec late = f;
+    for (label i = 0; i < s.size; ++i)
+    {
+        const scalar before = max(i - 2., 0.);
+        late[i] = f[label(before)];
+    }
+    expectP1(diagnosed(late), "registration", "clock is");
+}
+
+
+TEST(misfitSensorFault, nothingHasNoUnitAndWhatMovesIsNotDead)
+{
+    const vec zero = vec::Zero(20);
+    vec hum(20);
+    for (label i = 0; i < 20; ++i)
+    {
+        hum[i] = i % 3 ? 10 : -20;
+    }
+    for (const vec& nothing : {zero, hum})
+    {
+        EXPECT_EQ(possible(nothing, {kind::units}), 0);
+        EXPECT_EQ(possible(nothing, {kind::dead, kind::saturated}), 1);
+    }
+
+    // In kPa for Pa it varies by less than its noise, but as a surge does
+    for (const scalar factor : {1e-3, 1., 10.})
+    {
+        EXPECT_EQ(possible(factor*trueP1(), {kind::units}), 7) << factor;
+        EXPECT_EQ(possible(factor*trueP1(), {kind::dead}), 0) << factor;
+    }
+
+    // A level that rests, in another unit, is not nothing
+    EXPECT_EQ(possible(vec::Constant(20, 1000), {kind::units}), 7);
+}
+
+
+TEST(misfitSensorFault, whatItShowedIsToldInThreeDigits)
+{
+    world w(20);
+    w.data.y.setZero();
+    const sensorFault dead(w.data, kind::dead, 0);
+    EXPECT_EQ
+    (
+        dead.told(vec(vec::Constant(1, 2004.))),
+        "P1 shows 2000 Pa throughout, whatever happens: it is dead or stuck"
+    );
+    EXPECT_NE(dead.told(vec(vec::Constant(1, -0.008))).find(" 0 Pa"), string::npos);
+    EXPECT_NE(dead.told(vec(vec::Constant(1, 12345.))).find(" 12300 Pa"), string::npos);
+}
+
+
+TEST(misfitSensorFault, itCanBeToldWhenWhatWasRecordedIsGone)
+{
+    stacked data(world(20).data);
+    data.y.setOnes();
+    List<sensorFault> faults(possibleFaults(data, {kind::gain}));
+    faults.append(sensorFault(data, kind::misplaced, 0, 1));
+    for (segment& s : data.segments)
+    {
+        s.name = "gone";
+    }
+    EXPECT_EQ(faults.first().told(), "gain of P1");
+    EXPECT_EQ(faults.last().told(), "misplaced of P1 towards P2");
+}
+
+
+TEST(misfitSensorFault, aFindingIsWholeWithoutItsDiagnosis)
+{
+    finding kept;
+    {
+        worldSampler s(truth(-1, 0), 300, vec());
+        s.mislabel(0);
+        kept = diagnose(s);
+    }
+    ASSERT_TRUE(kept.explanations[0].what.fault != nullptr);
+    EXPECT_EQ(kept.explanations[0].what.fault->told(), "dead of P1");
+}
