@@ -6,6 +6,8 @@
 #include "misfitWorld.H"
 #include "temporaryFolder.H"
 
+#include "StringStream.H"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -58,6 +60,42 @@ finding found()
     return f;
 }
 
+
+//- Where it comes from
+origin today()
+{
+    origin from;
+    from.title = "a case";
+    from.date = "2026 May 03";
+    from.experiments = {{"A", "P1, P2", "P3", "", "surge.csv"}};
+    const dictionary changes
+    (
+        IStringStream
+        (
+            "pore { title \"water that cannot leave at once\";"
+            " changes ({ file \"constant/grains\"; entry pressure; }); }"
+        )()
+    );
+    from.candidates = readCandidates(changes);
+    from.candidates[0].name = "porePressure";
+    return from;
+}
+
+
+bool says(const std::string& page, const std::string& words)
+{
+    return page.find(words) != std::string::npos;
+}
+
+
+//- The box at the top
+std::string box(const finding& f)
+{
+    const std::string page(reportHtml(f, today(), {}));
+    const size_t from = page.find("<div class=\"verdict\">");
+    return page.substr(from, page.find("</div>", from) - from);
+}
+
 } // End anonymous namespace
 
 
@@ -79,7 +117,7 @@ TEST(misfitReport, oneFileHoldsWordsAndPictures)
 {
     const temporaryFolder scratch;
     const fileName folder(scratch);
-    writeReport(found(), folder, "a case");
+    writeReport(found(), folder, today());
 
     std::ifstream is(folder/"report.html");
     const std::string html
@@ -106,4 +144,170 @@ TEST(misfitReport, oneFileHoldsWordsAndPictures)
     );
     EXPECT_TRUE(isFile(folder/"verdict.json"));
     EXPECT_FALSE(isFile(folder/"verdict.json.new"));
+}
+
+
+TEST(misfitReport, theTopSaysWhichCaseWhenAndWhatWasRecorded)
+{
+    const std::string page(reportHtml(found(), today(), {}));
+    EXPECT_TRUE(says(page, "<h1>Simulation against recordings: a case</h1>"));
+    EXPECT_TRUE(says(page, "2026 May 03"));
+    EXPECT_TRUE
+    (
+        says
+        (
+            page,
+            "<td>A</td><td>P1, P2</td><td>P3</td><td></td><td>surge.csv</td>"
+        )
+    );
+}
+
+
+TEST(misfitReport, aCandidateIsToldByItsTitleAndWhatItSets)
+{
+    EXPECT_TRUE
+    (
+        says
+        (
+            reportHtml(found(), today(), {}),
+            "<td>porePressure</td><td>water that cannot leave at once</td>"
+            "<td>constant/grains pressure = 1</td><td>0.7</td>"
+        )
+    );
+
+    finding f(found());
+    f.told = "Left out: porePressure.";
+    EXPECT_TRUE(says(box(f), "porePressure: water that cannot leave at once."));
+    f.told = "Left out: porePressures.";
+    EXPECT_FALSE(says(box(f), "water that cannot leave"));
+}
+
+
+TEST(misfitReport, theConfidenceSaysOfWhat)
+{
+    finding f(found());
+    EXPECT_TRUE
+    (
+        says
+        (
+            box(f),
+            "Confidence 90 % that this is at least part of what is missing, among"
+            " the explanations that were weighed."
+        )
+    );
+    f.names.append("gate");
+    f.verdict = "set";
+    EXPECT_TRUE(says(box(f), "90 % that it is one of these"));
+    f.verdict = "sensor";
+    f.names = {"P1"};
+    EXPECT_TRUE(says(box(f), "90 % that the fault is at P1"));
+    f.names.clear();
+    f.verdict = "unknown";
+    EXPECT_TRUE(says(box(f), "90 % that no candidate and no fault of one sensor"));
+    f.verdict = "none";
+    EXPECT_TRUE(says(box(f), "90 % that nothing missing and no fault is needed"));
+}
+
+
+TEST(misfitReport, theTopSaysWhatIsNotMatchedYetAndWhatWasNotWeighed)
+{
+    finding f(found());
+    EXPECT_FALSE(says(box(f), "does not yet match"));
+    EXPECT_FALSE(says(box(f), "Not weighed"));
+
+    f.held[0].what = "experiment E3";
+    f.held[0].squareAfter = 230;
+    f.dropped =
+    {
+        {"lift", "the solver failed with it: floating point exception"},
+        {"gate", "the recording differs the other way in what it changes"}
+    };
+    EXPECT_TRUE
+    (
+        says
+        (
+            box(f),
+            "What was found does not yet match experiment E3: mean square 230, a"
+            " match is 1."
+        )
+    );
+    EXPECT_TRUE
+    (
+        says
+        (
+            box(f),
+            "Not weighed: lift (the solver failed with it), gate (the recording"
+            " differs the other way in what it changes)."
+        )
+    );
+}
+
+
+TEST(misfitReport, aGateThatCouldNotBeAskedIsToldFromOneWithNothingToAsk)
+{
+    finding f(found());
+    f.gates =
+    {
+        {"adequacy", "", "", "", false, true},
+        {"stability", "", "", "", false, true}
+    };
+    const std::string known(reportHtml(f, today(), {}));
+    EXPECT_TRUE(says(known, "nothing to ask"));
+    EXPECT_FALSE(says(known, "not asked"));
+
+    f.explanations[0].what.unknown = true;
+    const std::string partly(reportHtml(f, today(), {}));
+    EXPECT_TRUE(says(partly, "not asked: the answer has something unknown"));
+    EXPECT_TRUE(says(partly, "nothing to ask"));
+
+    f.explanations[0].what.mechanisms.clear();
+    const std::string unknown(reportHtml(f, today(), {}));
+    EXPECT_TRUE(says(unknown, "not asked: nothing that is known is judged"));
+    EXPECT_FALSE(says(unknown, "nothing to ask"));
+}
+
+
+TEST(misfitReport, noNumberIsTooLargeToRead)
+{
+    finding f(found());
+    f.held[0].squareBefore = 2;
+    f.held[0].squareAfter = 1e17;
+    weighed far(f.explanations[0]);
+    far.what.mechanisms.clear();
+    far.score = 1.3e297;
+    f.explanations.append(far);
+    f.correction.asked = true;
+    f.correction.held = f.held;
+    const std::string page(reportHtml(f, today(), {}));
+    EXPECT_FALSE(says(page, "e+"));
+    EXPECT_TRUE(says(page, "more than 100000"));
+    EXPECT_TRUE(says(page, "less than -1000 %"));
+
+    // Of a channel that shows nothing the range is nought
+    stacked data(f.data);
+    data.segments[0].of(data.y).setZero();
+    const vec misfit = vec::Constant(data.size(), 700);
+    const window w{0, 5, 9, 12};
+    EXPECT_TRUE
+    (
+        says(told(w, data, misfit), "the simulation is more than 1000 % of the range")
+    );
+}
+
+
+TEST(misfitReport, itsWordsAreExplained)
+{
+    const std::string page(reportHtml(found(), today(), {}));
+    const std::string words(page.substr(page.find("id=\"words\"")));
+    for
+    (
+        const char* word :
+        {
+            "sigma", "score", "mean square", "evidence", "adequacy", "placebo",
+            "front, body, tail"
+        }
+    )
+    {
+        EXPECT_TRUE(says(words, word)) << word;
+    }
 }

@@ -149,7 +149,12 @@ int main(int argc, char* argv[])
     {
         solver.makeCase(found.answer.first(), folder/correctedCase);
     }
-    writeReport(found, folder, runTime.path().name());
+    const fileName above(runTime.path().path());
+    writeReport
+    (
+        found, folder,
+        originOf(above.name()/runTime.path().name(), recorded, set.candidates)
+    );
     tellFinding(found, folder);
     return 0;
 }

@@ -93,8 +93,16 @@ Foam::string Foam::misfit::told
         os << ", " << s.x[w.begin] - 0.5*s.span << " to "
             << s.x[w.end - 1] + 0.5*s.span << (s.overTime ? " s" : " m");
     }
-    os << ": the simulation is " << share
-        << (s.isNumber() ? " % too " : " % of the range too ")
+    os << ": the simulation is ";
+    if (share > 1000)
+    {
+        os << "more than 1000";
+    }
+    else
+    {
+        os << share;
+    }
+    os << (s.isNumber() ? " % too " : " % of the range too ")
         << (mean > 0 ? "low" : "high") << " (" << mag(w.size) << " sigma)";
     if (!s.isNumber())
     {

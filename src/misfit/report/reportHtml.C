@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// report.html: a diagnosis for a reader who has five minutes.
+// report.html: a diagnosis for a reader who has five minutes; below the answer.
 
+#include "html.H"
 #include "report.H"
+#include "reportTop.H"
 
-#include "base64Layer.H"
-
-#include <cmath>
-#include <fstream>
 #include <sstream>
 
 namespace
@@ -14,140 +12,7 @@ namespace
 
 using namespace Foam;
 using namespace Foam::misfit;
-
-using row = std::vector<std::string>;
-
-
-std::string escaped(const std::string& text)
-{
-    std::string safe;
-    for (const char c : text)
-    {
-        safe +=
-            c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;"
-          : std::string(1, c);
-    }
-    return safe;
-}
-
-
-std::string table(const row& head, const std::vector<row>& rows)
-{
-    std::string text("<table>\n<tr>");
-    for (const std::string& cell : head)
-    {
-        text += "<th>" + escaped(cell) + "</th>";
-    }
-    text += "</tr>\n";
-    for (const row& r : rows)
-    {
-        text += "<tr>";
-        for (const std::string& cell : r)
-        {
-            text += "<td>" + escaped(cell) + "</td>";
-        }
-        text += "</tr>\n";
-    }
-    return text + "</table>\n";
-}
-
-
-std::string header(const std::string& title)
-{
-    return
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-        "<title>" + escaped(title) + "</title>\n<style>"
-        "body{font:16px/1.5 sans-serif;max-width:62em;margin:2em auto;"
-        "padding:0 1em;color:#222}"
-        "table{border-collapse:collapse;margin:.5em 0}"
-        "td,th{border-bottom:1px solid #ccc;padding:.2em .8em;text-align:left}"
-        "img{max-width:100%}.verdict{background:#eef3f8;padding:1em;"
-        "font-size:1.2em}h2{margin-top:2em}</style></head><body>\n"
-        "<h1>" + escaped(title) + "</h1>\n";
-}
-
-
-std::string figure(const fileName& file, const std::string& words)
-{
-    std::ifstream is(file, std::ios::binary);
-    const std::string bytes
-    (
-        (std::istreambuf_iterator<char>(is)), std::istreambuf_iterator<char>()
-    );
-    std::ostringstream os;
-    base64Layer encode(os);
-    encode.write(bytes.data(), bytes.size());
-    encode.close();
-    return
-        "<p><img alt=\"" + escaped(words) + "\" src=\"data:image/png;base64,"
-      + os.str() + "\"><br>" + escaped(words) + "</p>\n";
-}
-
-
-std::string percent(const scalar share)
-{
-    return shortNumber(std::round(100*share)) + " %";
-}
-
-
-std::string channels(const heldOut& h)
-{
-    std::string names;
-    for (const segment& s : h.data.segments)
-    {
-        names += (names.empty() ? "" : " ") + s.name;
-    }
-    return names;
-}
-
-
-//- What the finding does to the misfit of held-out data
-std::string gone(const heldOut& h)
-{
-    // A mean square of 1 is chance
-    if (h.squareBefore < beyondChance)
-    {
-        return
-            h.squareAfter < beyondChance
-          ? "there was no misfit beyond chance: it neither confirms nor denies"
-          : "a misfit comes that was not there";
-    }
-    const scalar share = removed(h);
-    return
-        share > 0 ? percent(share) + " of the misfit is gone"
-      : "the misfit does not get smaller";
-}
-
-
-std::string verdict(const finding& f)
-{
-    std::string text
-    (
-        "<div class=\"verdict\"><b>" + escaped(f.verdict) + ".</b> "
-      + escaped(f.told) + "<br>Confidence " + percent(f.confidence)
-    );
-    for (const heldOut& h : f.held)
-    {
-        const bool faultIsShown =
-            f.blamesChannel() && h.squareAfter < h.squareBefore;
-        if (f.strengths.size() || faultIsShown)
-        {
-            text +=
-                "<br>At " + escaped(h.what + " (" + channels(h) + ")")
-              + ", not used to find it, " + gone(h)
-              + " (mean square over what is uncertain: from "
-              + shortNumber(h.squareBefore) + " to "
-              + shortNumber(h.squareAfter) + ").";
-        }
-    }
-    if (f.answer.size())
-    {
-        text +=
-            "<br>The case with it switched on, ready to run: <code>misfit/"
-          + std::string(correctedCase) + "</code>.";
-    }
-    return text + "</div>\n";
-}
+using namespace Foam::misfit::html;
 
 
 std::string where(const finding& f)
@@ -274,7 +139,7 @@ std::string explanations(const finding& f, const wordList& names)
             rows.push_back
             ({
                 name + (name == answer && !judged ? " (judged below)" : ""),
-                shortNumber(w.score - list.first().score),
+                number(w.score - list.first().score),
                 percent(w.probability)
             });
             judged = judged || name == answer;
@@ -289,6 +154,17 @@ std::string explanations(const finding& f, const wordList& names)
 }
 
 
+//- Why a gate was left out
+std::string notAsked(const misfit::gate& g, const hypothesis& judged)
+{
+    return
+        judged.isOnlyUnknown() ? "not asked: nothing that is known is judged"
+      : g.name == "adequacy" && judged.unknown
+      ? "not asked: the answer has something unknown, which takes up what is left"
+      : "nothing to ask";
+}
+
+
 std::string gates(const finding& f)
 {
     std::vector<row> rows;
@@ -297,7 +173,7 @@ std::string gates(const finding& f)
         rows.push_back
         ({
             g.name, g.asked, g.applies ? g.value : "", g.applies ? g.bound : "",
-            !g.applies ? "nothing to ask"
+            !g.applies ? notAsked(g, f.explanations.first().what)
           : g.passed ? "passed"
           : g.name == "detection" ? "no misfit beyond chance" : "failed"
         });
@@ -374,14 +250,27 @@ std::string freeCorrection(const correctionFound& c)
     {
         rows.push_back
         ({
-            h.what + " (" + channels(h) + ")", shortNumber(h.squareBefore),
-            shortNumber(h.squareAfter), percent(removed(h))
+            h.what + " (" + channels(h) + ")", number(h.squareBefore),
+            number(h.squareAfter), percent(removed(h))
         });
     }
     return
         text
       + (rows.empty() ? std::string()
           : table({"not used to find it", "mean square before", "after", "gone"}, rows));
+}
+
+
+std::string dropped(const finding& f)
+{
+    std::vector<row> rows;
+    for (const auto& d : f.dropped)
+    {
+        rows.push_back({d.first(), d.second()});
+    }
+    return
+        rows.empty() ? std::string()
+      : "<h2>Not weighed</h2>\n" + table({"candidate", "why"}, rows);
 }
 
 
@@ -398,16 +287,6 @@ std::string rest(const finding& f)
         text +=
             "<h2>Runs that failed</h2>\n<p>They are not in what is uncertain, or in"
             " the effect of a parameter.</p>\n" + table({"run, and why"}, rows);
-    }
-    if (f.dropped.size())
-    {
-        std::vector<row> rows;
-        for (const auto& d : f.dropped)
-        {
-            rows.push_back({d.first(), d.second()});
-        }
-        text +=
-            "<h2>Not compared</h2>\n" + table({"candidate", "why"}, rows);
     }
     if (f.advice.size())
     {
@@ -436,9 +315,9 @@ std::string caption(const finding& f, const fileName& file)
     const heldOut& h = f.held[std::stoi(name.substr(7)) - 1];
     return
         "Not used to find it: " + h.what + ". Mean square of the misfit "
-      + shortNumber(h.squareBefore)
+      + number(h.squareBefore)
       + (h.squareBefore == h.squareAfter ? std::string()
-          : " before, " + shortNumber(h.squareAfter) + " after")
+          : " before, " + number(h.squareAfter) + " after")
       + " (1: as good as it can be).";
 }
 
@@ -448,7 +327,7 @@ std::string caption(const finding& f, const fileName& file)
 std::string Foam::misfit::reportHtml
 (
     const finding& f,
-    const string& title,
+    const origin& from,
     const List<fileName>& figures
 )
 {
@@ -460,9 +339,10 @@ std::string Foam::misfit::reportHtml
             figure(file, caption(f, file));
     }
     return
-        header(title) + verdict(f) + "<h2>Before and after</h2>\n" + series
-      + where(f) + map + freeCorrection(f.correction) + calibration(f)
-      + uncertain(f) + explanations(f, f.library) + gates(f) + apart(f) + rest(f)
+        reportTop(f, from) + "<h2>Before and after</h2>\n" + series
+      + where(f) + map + freeCorrection(f.correction) + candidatesTold(f, from)
+      + explanations(f, f.library) + dropped(f) + gates(f) + apart(f) + rest(f)
+      + calibration(f) + uncertain(f) + glossary()
       + "<p>States asked for: " + std::to_string(f.nRuns)
       + ". The same in numbers: verdict.json.</p>\n</body></html>\n";
 }

@@ -317,10 +317,10 @@ void Foam::misfit::writeReport
 (
     const finding& f,
     const fileName& folder,
-    const string& title
+    const origin& from
 )
 {
     const List<fileName> figures(drawFigures(f, folder/"plots"));
-    writeWhole(folder/"report.html", reportHtml(f, title, figures));
-    writeWhole(folder/"verdict.json", verdictJson(f, title));
+    writeWhole(folder/"report.html", reportHtml(f, from, figures));
+    writeWhole(folder/"verdict.json", verdictJson(f, from.title));
 }
