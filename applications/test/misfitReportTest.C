@@ -176,10 +176,16 @@ TEST(misfitReport, aCandidateIsToldByItsTitleAndWhatItSets)
     );
 
     finding f(found());
-    f.told = "Left out: porePressure.";
     EXPECT_TRUE(says(box(f), "porePressure: water that cannot leave at once."));
-    f.told = "Left out: porePressures.";
+
+    // A candidate that is called as a word of the sentence is not meant by it
+    f.told = "Nothing passes the gate porePressure.";
+    f.names = {"porePressures"};
+    f.explanations[0].what.mechanisms.clear();
     EXPECT_FALSE(says(box(f), "water that cannot leave"));
+    f.verdict = "set";
+    f.names = {"gate", word("porePressure and walls", false)};
+    EXPECT_TRUE(says(box(f), "porePressure: water that cannot leave at once."));
 }
 
 

@@ -21,21 +21,33 @@ using namespace Foam::misfit::html;
 constexpr scalar farOff = 4;
 
 
-//- True if a sentence has that name in it, not as a part of a word
-bool mentions(const std::string& sentence, const std::string& name)
+//- The names in the answer, or of what explains it best
+std::string answered(const finding& f)
+{
+    std::string names(told(f.explanations.first().what, f.library));
+    for (const word& name : f.names)
+    {
+        names += ' ' + name;
+    }
+    return names;
+}
+
+
+//- True if a list of names has that one in it, not as a part of another
+bool has(const std::string& names, const std::string& name)
 {
     const auto isPart = [&](const size_t i)
     {
-        return i < sentence.size() && std::isalnum(sentence[i]);
+        return i < names.size() && std::isalnum(names[i]);
     };
-    size_t at = sentence.find(name);
+    size_t at = names.find(name);
     while (at != std::string::npos)
     {
         if (!(at > 0 && isPart(at - 1)) && !isPart(at + name.size()))
         {
             return true;
         }
-        at = sentence.find(name, at + 1);
+        at = names.find(name, at + 1);
     }
     return false;
 }
@@ -127,7 +139,7 @@ std::string answer(const finding& f, const origin& from)
     );
     for (const candidate& c : from.candidates)
     {
-        if (c.title != c.name && mentions(f.told, c.name))
+        if (c.title != c.name && has(answered(f), c.name))
         {
             text += "<br>" + escaped(c.name + ": " + c.title) + '.';
         }
