@@ -443,3 +443,26 @@ TEST(misfitScan, whatCalibrationCanExplainIsNoFinding)
     EXPECT_GT(look(e, 0.05).p, 0.05);
     EXPECT_GT(look(e + 0.3*direction, 0.05).p, 0.05);
 }
+
+
+TEST(misfitScan, aFreeDirectionOfOneChannelIsTakenOutBesideMuchLargerUnits)
+{
+    // 50 Pa and 1e-6 m: what is free of the second must not drown in the first
+    const label n = 40;
+    mat c = mat::Identity(2*n, 2*n)*sqr(50.0);
+    c.bottomRightCorner(n, n) *= sqr(1e-6/50);
+    mat direction = mat::Zero(2*n, 1);
+    direction.bottomRows(n).setOnes();
+    const whitener white(withFitted(c, direction, vec::Zero(1)));
+
+    vec offset = vec::Zero(2*n);
+    offset.tail(n).setConstant(1e-5);
+    EXPECT_LT(white(offset).norm(), 0.1);
+
+    vec wave = vec::Zero(2*n);
+    for (label i = 0; i < n; ++i)
+    {
+        wave[n + i] = i % 2 ? 1e-6 : -1e-6;
+    }
+    EXPECT_NEAR(white(wave).squaredNorm()/n, 1, 1e-3);
+}

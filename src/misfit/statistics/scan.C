@@ -164,18 +164,18 @@ Foam::misfit::mat Foam::misfit::withFitted
     const vec& deviations
 )
 {
+    // Nothing is known along a direction: a thousand of its own deviations. More
+    // would drown those of the samples in rounding.
+    const whitener white(covariance);
     mat all = covariance;
-    const scalar typical = std::sqrt(covariance.diagonal().mean());
     for (label i = 0; i < directions.cols(); ++i)
     {
         const vec d = directions.col(i);
-        const scalar size = d.norm();
+        const scalar size = white(d).norm();
         if (size > 0)
         {
             const scalar deviation =
-                deviations[i] > 0
-              ? deviations[i]
-              : 1000*typical*std::sqrt(scalar(d.size()))/size;
+                deviations[i] > 0 ? deviations[i] : 1000/size;
             all += sqr(deviation)*d*d.transpose();
         }
     }
