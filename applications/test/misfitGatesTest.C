@@ -40,6 +40,36 @@ TEST(misfitGates, withoutHeldOutDataItIsSaidThatNothingConfirmsIt)
 }
 
 
+TEST(misfitGates, whatIsNotMatchedYetIsSaid)
+{
+    // A front that another formula slows: a third of the held-out misfit goes
+    worldSampler s(truth(1, 0.8), 3060, vec());
+    const finding f(diagnose(s));
+    show(f);
+    ASSERT_EQ(f.verdict, "named");
+    for (const heldOut& h : f.held)
+    {
+        const bool told = f.told.find("not yet match " + h.what) != std::string::npos;
+        EXPECT_EQ(told, h.squareAfter > beyondChance) << f.told;
+    }
+    EXPECT_GT(f.held[0].squareAfter, beyondChance);
+}
+
+
+TEST(misfitGates, anExperimentThatFailsIsNoDisagreement)
+{
+    worldSampler s(truth(-1, 0), 100, vec());
+    s.failAlwaysIn("B");
+    const finding f(diagnose(s));
+    show(f);
+    EXPECT_EQ(f.verdict, "unknown");
+    EXPECT_NE(f.told.find("solver fails in an experiment"), std::string::npos)
+        << f.told;
+    EXPECT_TRUE(f.failedRuns.size());
+    EXPECT_LT(f.confidence, 0.7);
+}
+
+
 TEST(misfitGates, whereOnlyHeldOutDataPartItIsNotSaidThatNothingIsMissing)
 {
     world w(20);

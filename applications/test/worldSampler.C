@@ -79,6 +79,7 @@ bool Foam::misfit::worldSampler::fails(const runState& state)
     }
     return
         (state.experiment == failing_ && state.strengths.size())
+     || state.experiment == failingAlways_
      || state.packing == failingPacking_
      || (failsFiner_ && state.resolution != "base")
      || (
@@ -237,6 +238,12 @@ void Foam::misfit::worldSampler::recordConstant
 void Foam::misfit::worldSampler::failFiner()
 {
     failsFiner_ = true;
+}
+
+
+void Foam::misfit::worldSampler::failAlwaysIn(const word& experiment)
+{
+    failingAlways_ = experiment;
 }
 
 

@@ -536,14 +536,13 @@ Foam::string Foam::misfit::diagnosis::whatElsewhereSays() const
 Foam::string Foam::misfit::diagnosis::whatIsStillOff() const
 {
     OStringStream os;
-    os.precision(2);
+    os.precision(3);
     for (const heldOut& h : found_.held)
     {
         if (h.use == purpose::gate && h.squareAfter > beyondChance)
         {
-            os  << " With it " << h.what.c_str() << " still part from the"
-                << " simulation (mean square " << h.squareAfter << ", was "
-                << h.squareBefore << "; a match is 1).";
+            os  << " It does not yet match " << h.what.c_str() << ": mean square "
+                << h.squareAfter << ", a match is 1.";
         }
     }
     return os.str();

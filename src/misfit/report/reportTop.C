@@ -16,11 +16,6 @@ using namespace Foam;
 using namespace Foam::misfit;
 using namespace Foam::misfit::html;
 
-//- Mean square of a misfit above which recording and simulation are still far from
-//  each other: twice what is uncertain
-constexpr scalar farOff = 4;
-
-
 //- The names in the answer, or of what explains it best
 std::string answered(const finding& f)
 {
@@ -102,13 +97,6 @@ std::string heldOutTold(const finding& f)
               + ", not used to find it, " + gone(h)
               + " (mean square over what is uncertain: from "
               + number(h.squareBefore) + " to " + number(h.squareAfter) + ").";
-        }
-        if (f.names.size() && h.squareAfter >= farOff)
-        {
-            text +=
-                "<br><b>What was found does not yet match " + escaped(h.what)
-              + ": mean square " + number(h.squareAfter)
-              + ", a match is 1.</b>";
         }
     }
     return text;
