@@ -101,6 +101,59 @@ void Foam::misfit::diagnosis::addNumerics
 }
 
 
+void Foam::misfit::diagnosis::addCalibration
+(
+    covariance& known,
+    const List<runState>& states,
+    const List<samples>& given
+)
+{
+    mat changes(known.size(), 0);
+    for (label k = 2; k < given.size(); ++k)
+    {
+        if (!given[k].ok())
+        {
+            leaveOut(states[k], given[k].failure);
+        }
+        else if (given[0].ok())
+        {
+            appendColumn(changes, given[k].gate - given[0].gate);
+        }
+    }
+    known.addDirections("calibration", changes);
+}
+
+
+void Foam::misfit::diagnosis::compareElsewhere
+(
+    const observed& other,
+    const samples& before,
+    const samples& after,
+    const covariance& known
+)
+{
+    const bool gates = other.use == purpose::gate;
+    const stacked& recorded = gates ? other.gate : other.score;
+    addCompared
+    (
+        found_.held, "experiment " + other.experiment, other.use, recorded,
+        gates ? before.gate : before.score,
+        withFault(recorded, gates ? after.gate : after.score),
+        known
+    );
+    if (gates)
+    {
+        addCompared
+        (
+            found_.held, "scored channels of experiment " + other.experiment,
+            purpose::score, other.score, before.score,
+            withFault(other.score, after.score),
+            covariance(other.score, settings_.trigger)
+        );
+    }
+}
+
+
 void Foam::misfit::diagnosis::addExperiment
 (
     const observed& other,
@@ -121,46 +174,17 @@ void Foam::misfit::diagnosis::addExperiment
     }
     const List<samples> given(means(states));
 
-    const stacked& recorded = gates ? other.gate : other.score;
-    covariance known(recorded, settings_.trigger);
+    covariance known(gates ? other.gate : other.score, settings_.trigger);
     if (gates)
     {
         addNumerics(known, other);
-        mat changes(recorded.size(), 0);
-        for (label k = 2; k < given.size(); ++k)
-        {
-            if (!given[k].ok())
-            {
-                leaveOut(states[k], given[k].failure);
-            }
-            else if (given[0].ok())
-            {
-                appendColumn(changes, given[k].gate - given[0].gate);
-            }
-        }
-        known.addDirections("calibration", changes);
+        addCalibration(known, states, given);
     }
     elsewhere_.insert({other.experiment, known});
 
     if (given[0].ok() && given[1].ok())
     {
-        addCompared
-        (
-            found_.held, "experiment " + other.experiment, other.use, recorded,
-            gates ? given[0].gate : given[0].score,
-            withFault(recorded, gates ? given[1].gate : given[1].score),
-            known
-        );
-        if (gates)
-        {
-            addCompared
-            (
-                found_.held, "scored channels of experiment " + other.experiment,
-                purpose::score, other.score, given[0].score,
-                withFault(other.score, given[1].score),
-                covariance(other.score, settings_.trigger)
-            );
-        }
+        compareElsewhere(other, given[0], given[1], known);
     }
     else
     {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// S9: the verdict, how sure it is, and what it says in a sentence.
+// S9: the verdict, and how sure it is.
 
 #include "diagnosis.H"
 #include "HashSet.H"
-#include "StringStream.H"
 
 #include <algorithm>
 
@@ -62,20 +61,6 @@ List<weighed> simplest(const List<weighed>& list)
         }
     }
     return kept;
-}
-
-
-//- Words in a row: "a, b or c"
-string inWords(const wordList& list, const string& last)
-{
-    string words;
-    forAll(list, i)
-    {
-        words +=
-            (i == 0 ? "" : i + 1 == list.size() ? ' ' + last + ' ' : ", ")
-          + list[i];
-    }
-    return words;
 }
 
 } // End anonymous namespace
@@ -255,22 +240,6 @@ Foam::wordList Foam::misfit::diagnosis::failedGates() const
     return failed;
 }
 
-
-Foam::string Foam::misfit::diagnosis::whatFails() const
-{
-    if (best().what.isOnlyUnknown())
-    {
-        return "nothing in it explains it.";
-    }
-    const wordList failed(failedGates());
-    return
-        "the best explanation, " + told(best().what, mechanismNames()) + ", "
-      + (failed.empty() ? string("leads too little")
-          : "does not pass " + inWords(failed, "and"))
-      + ". Two faulty sensors look like that, too.";
-}
-
-
 bool Foam::misfit::diagnosis::wasTried() const
 {
     for (const gate& g : found_.gates)
@@ -442,194 +411,4 @@ void Foam::misfit::diagnosis::confide()
         sum = max(sum, 0.7);
     }
     found_.confidence = min(sum, settings_.ceiling);
-}
-
-
-Foam::string Foam::misfit::diagnosis::whatGainsTooLittle() const
-{
-    string words("Recording and simulation part, but too little to say why");
-    if (!best().what.isNone())
-    {
-        words +=
-            ": " + told(best().what, mechanismNames())
-          + ", which explains it best, does not pass evidence";
-    }
-    return words + '.';
-}
-
-
-Foam::string Foam::misfit::diagnosis::whatMayBeAdded() const
-{
-    for (const weighed& w : found_.explanations)
-    {
-        const bool better =
-            w.what.mechanisms.size() > best().what.mechanisms.size()
-         && w.what.contains(best().what)
-         && w.score == lowestScore() && w.score < best().score - settings_.gap;
-        if (better)
-        {
-            return
-                " Together, " + told(w.what, mechanismNames())
-              + " match better still; another formula of what is named would do"
-                " that, too.";
-        }
-    }
-    return "";
-}
-
-
-bool Foam::misfit::diagnosis::mayBeTogether() const
-{
-    for (const weighed& w : rivals())
-    {
-        bool all = w.what.mechanisms.size() == found_.names.size();
-        for (const label m : w.what.mechanisms)
-        {
-            all = all && found_.names.found(mechanismNames()[m]);
-        }
-        if (all && found_.names.size() > 1)
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-
-Foam::string Foam::misfit::diagnosis::strengthsInWords() const
-{
-    OStringStream os;
-    os.precision(3);
-    for (const foundStrength& s : found_.strengths)
-    {
-        os << "; strength of " << s.name << ' ' << s.value;
-        if (s.pinned)
-        {
-            os << ", the largest that is allowed";
-        }
-        else
-        {
-            os << " +- " << 2*s.deviation << " (95 %)";
-        }
-    }
-    return os.str();
-}
-
-
-Foam::string Foam::misfit::diagnosis::whatElsewhereSays() const
-{
-    for (const heldOut& h : found_.held)
-    {
-        if (h.use == purpose::gate && h.squareBefore >= limitOfNothing(h))
-        {
-            return
-                "held-out ones do not (gate " + inWords(failedGates(), "and")
-              + "). Fit those too to learn why.";
-        }
-    }
-    return
-        "but the solver fails in an experiment that should confirm it (gate"
-        " transfer).";
-}
-
-
-Foam::string Foam::misfit::diagnosis::whatIsStillOff() const
-{
-    OStringStream os;
-    os.precision(3);
-    for (const heldOut& h : found_.held)
-    {
-        if (h.use == purpose::gate && h.squareAfter > beyondChance)
-        {
-            os  << " It does not yet match " << h.what.c_str() << ": mean square "
-                << h.squareAfter << ", a match is 1.";
-        }
-    }
-    return os.str();
-}
-
-
-Foam::string Foam::misfit::diagnosis::whatCouldNotBeAsked() const
-{
-    wordList names;
-    for (const label m : never_)
-    {
-        names.append(mechanismNames()[m]);
-    }
-    return
-        names.empty() ? string()
-      : " The solver failed with " + inWords(names, "and")
-      + ", which therefore were not asked.";
-}
-
-
-Foam::string Foam::misfit::diagnosis::whatIsLeftOut() const
-{
-    const bool named = found_.verdict == "named";
-    string words
-    (
-        named
-      ? "Left out: " + inWords(found_.names, "and")
-      : "Left out is one of these, which these channels cannot tell apart: "
-      + inWords(found_.names, "or") + (mayBeTogether() ? ", or both" : "")
-    );
-    words += strengthsInWords() + '.';
-    if (named && (partly_ || best().what.unknown))
-    {
-        words += " There is more to it, which these channels do not settle.";
-    }
-    words += named ? whatMayBeAdded() : string();
-    words += whatIsStillOff() + whatCouldNotBeAsked();
-    if (!wasTried())
-    {
-        words += " No held-out data with a misfit confirm it.";
-    }
-    return words;
-}
-
-
-void Foam::misfit::diagnosis::describe()
-{
-    const word& v = found_.verdict;
-    if (v == "none")
-    {
-        found_.told =
-            passed("detection") ? whatGainsTooLittle()
-          : string("Recording and calibrated simulation agree within what is"
-                " uncertain.");
-    }
-    else if (!passed("detection"))
-    {
-        found_.told =
-            "The channels that were fitted agree with the calibrated simulation, "
-          + whatElsewhereSays();
-    }
-    else if (isUnproved())
-    {
-        found_.told =
-            told(best().what, mechanismNames()) + " explains it best,"
-            " but leads something that is not in the library by too little to"
-            " be sure (gate gap).";
-    }
-    else if (v == "unknown")
-    {
-        found_.told =
-            "Something is missing that is not in the library, or not only that: "
-          + whatFails() + whatCouldNotBeAsked();
-    }
-    else if (found_.blamesChannel())
-    {
-        const hypothesisModel m(fit_->surface(), bounds_, best().what);
-        found_.told =
-            (
-                v == "sensor"
-              ? "A sensor, or something that no other channel sees: "
-              : "Not physics: "
-            )
-          + best().what.fault->told(m.ofFault(best().best.x)) + '.';
-    }
-    else
-    {
-        found_.told = whatIsLeftOut();
-    }
 }
