@@ -21,20 +21,26 @@ TEST(misfitFailedRuns, anExperimentInWhichTheSolverFailsConfirmsNothing)
 
 TEST(misfitFailedRuns, whatWasNotRunAsItWasFittedIsNotNamed)
 {
-    // Never, and only at first
-    for (const label allowed : {0, 3})
-    {
-        worldSampler s(truth(0, 0.7), 200, vec());
-        s.failBetween(allowed);
-        const finding f(diagnose(s));
-        show(f);
-        EXPECT_EQ(f.verdict, "unknown");
-        EXPECT_TRUE(f.answer.empty());
-        for (const gate& g : f.gates)
-        {
-            EXPECT_TRUE(g.name != "computed" || !g.passed);
-        }
-    }
+    worldSampler s(truth(0, 0.7), 200, vec());
+    s.failBetween(0);
+    const finding f(diagnose(s));
+    show(f);
+    EXPECT_EQ(f.verdict, "unknown");
+    EXPECT_TRUE(f.answer.empty());
+    EXPECT_FALSE(passes(f, "computed"));
+    EXPECT_NE(f.told.find("solver failed"), std::string::npos) << f.told;
+}
+
+
+TEST(misfitFailedRuns, aStepThatFailsGoesBackToAStateThatRan)
+{
+    worldSampler s(truth(0, 0.7), 200, vec());
+    s.failBetween(3);
+    const finding f(diagnose(s));
+    show(f);
+    expectAnswer(f, "named", {world::mechanism(0)});
+    ASSERT_EQ(f.answer.size(), 1);
+    EXPECT_LT(s.nearest(f.answer[0]), 0.05);
 }
 
 

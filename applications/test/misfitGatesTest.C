@@ -147,6 +147,32 @@ TEST(misfitGates, otherPackingsAreNoAlarmInAnotherExperiment)
 }
 
 
+TEST(misfitGates, aParameterAtItsBoundIsUncertainInAnotherExperimentToo)
+{
+    // Gains that are a quarter off bring the release to its bound
+    settings set(worldSettings());
+    set.parameters[0].mean = 0.05;
+    set.parameters[0].lower = 0;
+    label alarms = 0;
+    label pinned = 0;
+    for (label k = 0; k < 20; ++k)
+    {
+        vec x = truth(-1, 0);
+        x[0] = 0.1;
+        x[1] = 0;
+        worldSampler s(x, 6000 + k, vec());
+        s.weakenGains(0.25);
+        const finding f(diagnose(s, set));
+        alarms += f.verdict != "none";
+        pinned += f.parameters[0].pinned;
+    }
+    testNumber("of 20 nulls with a parameter at its bound", pinned);
+    testNumber("alarms of these 20", alarms);
+    EXPECT_GE(pinned, 10);
+    EXPECT_LE(alarms, 2);
+}
+
+
 TEST(misfitGates, nothingIsNotSaidWhereHeldOutDataPartToo)
 {
     settings set(worldSettings());

@@ -64,6 +64,8 @@ public:
             "[ \"$slope\" != 9 ] || { echo the time step is too long; exit 3; }\n"
             "[ \"$slope\" != 8 ] || sleep 4\n"
             "[ \"$slope\" != 7 ] || kill -TERM $$\n"
+            "[ \"$slope\" != 5 ] || { [ $(wc -l < " + folder_ + "/count) -gt 1 ]"
+            " || kill -TERM $$; exit 3; }\n"
             "[ \"$slope\" != 6 ] || [ ! -e " + folder_ + "/full ] \\\n"
             "    || mkdir ../finished.new\n"
             "mkdir -p postProcessing/out/0 1\n"
@@ -429,6 +431,17 @@ TEST(misfitRuns, whatWasStoppedFromOutsideIsTriedByEachCall)
     {
         EXPECT_FALSE(once(c, {withSlope(7)})[0].ok());
         EXPECT_EQ(c.count(), call);
+    }
+}
+
+
+TEST(misfitRuns, thatItWasStoppedDoesNotCountAsItsFirstFailure)
+{
+    const fakeCase c;
+    for (label call = 1; call < 5; ++call)
+    {
+        EXPECT_FALSE(once(c, {withSlope(5)})[0].ok());
+        EXPECT_EQ(c.count(), min(call, 3));
     }
 }
 

@@ -224,6 +224,17 @@ void Foam::misfit::worldSampler::scatterPackings(const scalar deviation)
 }
 
 
+void Foam::misfit::worldSampler::weakenGains(const scalar share)
+{
+    data_[0].gate = stacked();
+    data_[0].fit.y *= 1 - share;
+    for (segment& s : data_[0].fit.segments)
+    {
+        s.gainUncertainty = share;
+    }
+}
+
+
 void Foam::misfit::worldSampler::recordConstant
 (
     const label i,

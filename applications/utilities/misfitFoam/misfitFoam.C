@@ -145,10 +145,6 @@ int main(int argc, char* argv[])
     }
 
     const finding& found = diagnose();
-    if (found.answer.size())
-    {
-        solver.makeCase(found.answer.first(), folder/correctedCase);
-    }
     const fileName above(runTime.path().path());
     writeReport
     (
@@ -156,5 +152,9 @@ int main(int argc, char* argv[])
         originOf(above.name()/runTime.path().name(), recorded, set.candidates)
     );
     tellFinding(found, folder);
+    if (found.answer.size())
+    {
+        solver.makeCase(found.answer.first(), folder/correctedCase);
+    }
     return 0;
 }

@@ -40,19 +40,23 @@ Foam::misfit::diagnosis::calibrationSteps() const
     {
         return steps;
     }
-    const fitted& calibrated = baseline().best;
-    const Eigen::SelfAdjointEigenSolver<mat> axes
-    (
-        calibrated.covariance.topLeftCorner(nP, nP)
-    );
-    const vec lower = bounds_.lower.head(nP);
-    const vec upper = bounds_.upper.head(nP);
+    // A parameter at its bound is as uncertain as the others. In widths, as the
+    // units may be any.
+    const weighed& base = baseline();
+    const hypothesisModel model(fit_->surface(), bounds_, base.what);
+    const vec width = width_.head(nP);
+    const mat slopes =
+        whitener(base.covariance)(model.slopes(base.best.x))*width.asDiagonal();
+    const vec prior = width.cwiseQuotient(model.deviation());
+    const mat curvature =
+        slopes.transpose()*slopes + mat(prior.cwiseAbs2().asDiagonal());
+    const Eigen::SelfAdjointEigenSolver<mat> axes(curvature);
+    const vec x = base.best.x.cwiseQuotient(width);
+    const vec lower = model.lower().cwiseQuotient(width);
+    const vec upper = model.upper().cwiseQuotient(width);
     for (label k = 0; k < nP; ++k)
     {
-        const vec step =
-            std::sqrt(max(axes.eigenvalues()[k], 0.0))
-           *axes.eigenvectors().col(k);
-        const vec x = calibrated.x.head(nP);
+        const vec step = axes.eigenvectors().col(k)/std::sqrt(axes.eigenvalues()[k]);
         const auto within = [&](const vec& at)
         {
             return vec(at.cwiseMax(lower).cwiseMin(upper) - x);
@@ -60,7 +64,8 @@ Foam::misfit::diagnosis::calibrationSteps() const
         const vec up = within(x + step);
         const vec down = within(x - step);
         vec longer = vec::Zero(bounds_.mean.size());
-        longer.head(nP) = up.norm() < down.norm() ? down : up;
+        longer.head(nP) =
+            (up.norm() < down.norm() ? down : up).cwiseProduct(width);
         if (longer.norm() > 0)
         {
             steps.append(longer);
@@ -79,11 +84,13 @@ void Foam::misfit::diagnosis::addNumerics
     const List<runState> states(uncertaintyRuns(other.experiment));
     const List<samples> given(ask(states));
     mat packings(other.gate.size(), 0);
+    bool confirms = true;
     forAll(given, i)
     {
         if (!given[i].ok())
         {
             leaveOut(states[i], given[i].failure);
+            confirms = confirms && i > 0 && i < settings_.packings;
         }
         else if (i < settings_.packings)
         {
@@ -98,6 +105,24 @@ void Foam::misfit::diagnosis::addNumerics
         }
     }
     known.addRepeats(packings, settings_.common);
+    if (!confirms || (settings_.packings > 1 && packings.cols() < 2))
+    {
+        addFailed(other, "what packings and numerics change there is not known");
+    }
+}
+
+
+void Foam::misfit::diagnosis::addFailed
+(
+    const observed& other,
+    const string& why
+)
+{
+    found_.gates.append
+    ({
+        "transfer", "The solver runs in experiment " + other.experiment, why,
+        "runs", true, false
+    });
 }
 
 
@@ -192,15 +217,7 @@ void Foam::misfit::diagnosis::addExperiment
         leaveOut(states[failed], given[failed].failure);
         if (gates)
         {
-            found_.gates.append
-            ({
-                "transfer",
-                "The solver runs in experiment " + other.experiment,
-                given[failed].failure,
-                "runs",
-                true,
-                false
-            });
+            addFailed(other, given[failed].failure);
         }
     }
 }

@@ -196,7 +196,8 @@ Foam::misfit::gate Foam::misfit::diagnosis::heldOutGate
     const bool holds = h.squareAfter < limit;
 
     // Where nothing was wrong before, what stays so confirms nothing
-    const bool nothingToAsk = h.squareBefore < beyondChance && holds;
+    const bool nothingToAsk =
+        h.squareBefore < max(beyondChance, limitOfNothing(h)) && holds;
     return
     {
         name,

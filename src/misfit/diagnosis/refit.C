@@ -10,46 +10,55 @@ Foam::misfit::weighed Foam::misfit::diagnosis::refitted(const weighed& w)
     const auto local(fit_->copy());
     weighed next(w);
     weighed least;
+    vec target;
     scalar share = 1;
     for (label pass = 0; pass < settings_.passes; ++pass)
     {
         const vec x =
             hypothesisModel(local->surface(), bounds_, w.what).expand(next.best.x);
         const samples given(means(List<vec>(1, x)).first());
-        if (!given.ok())
+        if (!given.ok() && !pass)
         {
             Info<< "    not refitted: " << given.failure.c_str() << endl;
             forget(w);
-            return pass ? least : w;
+            return w;
         }
-        local->passThrough(x, given.fit);
-        const weighing weigh(local->weigh(settings_.formulaTolerance));
-        const weighed here(weigh.where(next));
-        if (here.score < least.score)
+        if (given.ok())
         {
-            least = here;
-            forget(w);
-            computed_.append({name, x, given});
-            share = 1;
+            local->passThrough(x, given.fit);
+            const weighing weigh(local->weigh(settings_.formulaTolerance));
+            const weighed here(weigh.where(next));
+            const bool better = !pass || here.score < least.score;
+            if (better)
+            {
+                least = here;
+                forget(w);
+                computed_.append({name, x, given});
+            }
+            else
+            {
+                const computed& best = *findComputed(w);
+                local->passThrough(best.variables, best.given.fit);
+            }
+            share = better ? 1 : 0.5*share;
+            next = weigh.thoroughly(least);
+            target = next.best.x;
         }
         else
         {
-            // Too far, or beyond a hill: back, and half of the way
-            const computed& best = *findComputed(w);
-            local->passThrough(best.variables, best.given.fit);
             share *= 0.5;
         }
 
         // Near enough to where it was computed: a twentieth of the widths
-        next = weigh.thoroughly(least);
         const hypothesisModel model(local->surface(), bounds_, w.what);
-        const vec step =
-            model.expand(next.best.x) - model.expand(least.best.x);
+        const vec step = model.expand(target) - model.expand(least.best.x);
         if (!step.size() || step.cwiseQuotient(width_).cwiseAbs().maxCoeff() < 0.05)
         {
             return next;
         }
-        next.best.x = least.best.x + share*(next.best.x - least.best.x);
+
+        // Where it got worse, or the solver failed: half of the way
+        next.best.x = least.best.x + share*(target - least.best.x);
     }
 
     // It does not settle: the best of the states that were computed

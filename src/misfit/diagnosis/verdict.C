@@ -217,7 +217,8 @@ bool Foam::misfit::diagnosis::confirmsNone() const
         }
     }
 
-    // Where the solver fails nothing is confirmed
+    // Where the fitted channels agree, an experiment in which the solver fails
+    // confirms nothing
     return passed("detection") || passed("transfer");
 }
 
@@ -239,6 +240,7 @@ Foam::wordList Foam::misfit::diagnosis::failedGates() const
     }
     return failed;
 }
+
 
 bool Foam::misfit::diagnosis::wasTried() const
 {

@@ -32,6 +32,13 @@ Foam::string Foam::misfit::diagnosis::whatFails() const
     {
         return "nothing in it explains it.";
     }
+    if (!passed("computed"))
+    {
+        return
+            "the solver failed with what explains it best, "
+          + told(best().what, mechanismNames()) + ", at the strength that was"
+            " fitted.";
+    }
     const wordList failed(failedGates());
     return
         "the best explanation, " + told(best().what, mechanismNames()) + ", "
@@ -141,7 +148,8 @@ Foam::string Foam::misfit::diagnosis::whatIsStillOff() const
     os.precision(3);
     for (const heldOut& h : found_.held)
     {
-        if (h.use == purpose::gate && h.squareAfter > beyondChance)
+        const scalar matched = max(beyondChance, limitOfNothing(h));
+        if (h.use == purpose::gate && h.squareAfter > matched)
         {
             os  << " It does not yet match " << h.what.c_str() << ": mean square "
                 << h.squareAfter << ", a match is 1.";
@@ -160,8 +168,8 @@ Foam::string Foam::misfit::diagnosis::whatCouldNotBeAsked() const
     }
     return
         names.empty() ? string()
-      : " The solver failed with " + inWords(names, "and")
-      + ", which therefore were not asked.";
+      : " Not asked, as the solver failed with it: " + inWords(names, "and")
+      + '.';
 }
 
 
@@ -181,7 +189,7 @@ Foam::string Foam::misfit::diagnosis::whatIsLeftOut() const
         words += " There is more to it, which these channels do not settle.";
     }
     words += named ? whatMayBeAdded() : string();
-    words += whatIsStillOff() + whatCouldNotBeAsked();
+    words += whatIsStillOff();
     if (!wasTried())
     {
         words += " No held-out data with a misfit confirm it.";
@@ -217,7 +225,7 @@ void Foam::misfit::diagnosis::describe()
     {
         found_.told =
             "Something is missing that is not in the library, or not only that: "
-          + whatFails() + whatCouldNotBeAsked();
+          + whatFails();
     }
     else if (found_.blamesChannel())
     {
@@ -234,4 +242,5 @@ void Foam::misfit::diagnosis::describe()
     {
         found_.told = whatIsLeftOut();
     }
+    found_.told += whatCouldNotBeAsked();
 }

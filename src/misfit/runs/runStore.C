@@ -91,6 +91,27 @@ const string tookLonger(" took longer than ");
 const char* const stoppedFromOutside[] = {" ended with 137", " ended with 143"};
 
 
+//- The line that says why a run failed; what follows are the solver's words
+string reasonIn(const string& said)
+{
+    const auto first = min(said.find('\n'), said.size() - 1) + 1;
+    return said.substr(first, said.find('\n', first) - first);
+}
+
+
+//- True if a run did not fail by itself
+bool isFromOutside(const string& said)
+{
+    const string reason(reasonIn(said));
+    bool outside = reason.find(tookLonger) != string::npos;
+    for (const char* const stopped : stoppedFromOutside)
+    {
+        outside = outside || reason.find(stopped) != string::npos;
+    }
+    return outside;
+}
+
+
 //- In the folder of a run that is tried again: how it failed before
 const word failedBefore("failedBefore");
 
@@ -282,7 +303,7 @@ void Foam::misfit::runStore::prepare
 {
     const fileName target(folder_/name);
     string failed(contentOf(target/"finished"));
-    if (failed.empty())
+    if (failed.empty() || isFromOutside(failed))
     {
         failed = contentOf(target/failedBefore);
     }
@@ -489,20 +510,16 @@ bool Foam::misfit::runStore::isFinished(const wantedRun& run) const
         return !said.empty();
     }
 
-    const auto late = said.find(tookLonger);
+    const string reason(reasonIn(said));
+    const auto late = reason.find(tookLonger);
     if (late != string::npos)
     {
-        return timeLimit_ <= std::atof(said.c_str() + late + tookLonger.size());
+        return timeLimit_ <= std::atof(reason.c_str() + late + tookLonger.size());
     }
 
     // That it failed need not be its own fault: the disk may have been full. But
     // what fails twice is not to cost a run in each call
-    bool isKept = isFile(folder_/its/failedBefore, false);
-    for (const char* const stopped : stoppedFromOutside)
-    {
-        isKept = isKept && said.find(stopped) == string::npos;
-    }
-    return isKept;
+    return isFile(folder_/its/failedBefore, false) && !isFromOutside(said);
 }
 
 
