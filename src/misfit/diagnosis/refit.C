@@ -2,67 +2,46 @@
 // S6: the best explanations, computed in the solver and fitted again.
 
 #include "diagnosis.H"
+#include "settle.H"
 #include "HashSet.H"
 
 Foam::misfit::weighed Foam::misfit::diagnosis::refitted(const weighed& w)
 {
-    const string name(told(w.what, mechanismNames()));
     const auto local(fit_->copy());
-    weighed next(w);
-    weighed least;
-    vec target;
-    scalar share = 1;
-    for (label pass = 0; pass < settings_.passes; ++pass)
+    const auto weigh = [&]()
     {
-        const vec x =
-            hypothesisModel(local->surface(), bounds_, w.what).expand(next.best.x);
-        const samples given(means(List<vec>(1, x)).first());
-        if (!given.ok() && !pass)
-        {
-            Info<< "    not refitted: " << given.failure.c_str() << endl;
-            forget(w);
-            return w;
-        }
-        if (given.ok())
-        {
-            local->passThrough(x, given.fit);
-            const weighing weigh(local->weigh(settings_.formulaTolerance));
-            const weighed here(weigh.where(next));
-            const bool better = !pass || here.score < least.score;
-            if (better)
-            {
-                least = here;
-                forget(w);
-                computed_.append({name, x, given});
-            }
-            else
-            {
-                const computed& best = *findComputed(w);
-                local->passThrough(best.variables, best.given.fit);
-            }
-            share = better ? 1 : 0.5*share;
-            next = weigh.thoroughly(least);
-            target = next.best.x;
-        }
-        else
-        {
-            share *= 0.5;
-        }
+        return local->weigh(settings_.formulaTolerance);
+    };
+    refitting<weighed> with;
+    with.expand = [&](const weighed& now)
+    {
+        return
+            hypothesisModel(local->surface(), bounds_, now.what).expand(now.best.x);
+    };
+    with.compute = [&](const vec& x)
+    {
+        return means(List<vec>(1, x)).first();
+    };
+    with.passThrough = [&](const vec& x, const samples& given)
+    {
+        local->passThrough(x, given.fit);
+    };
+    with.stay = [&](const weighed& now)
+    {
+        return weigh().where(now);
+    };
+    with.fit = [&](const weighed& now)
+    {
+        return weigh().thoroughly(now);
+    };
 
-        // Near enough to where it was computed: a twentieth of the widths
-        const hypothesisModel model(local->surface(), bounds_, w.what);
-        const vec step = model.expand(target) - model.expand(least.best.x);
-        if (!step.size() || step.cwiseQuotient(width_).cwiseAbs().maxCoeff() < 0.05)
-        {
-            return next;
-        }
-
-        // Where it got worse, or the solver failed: half of the way
-        next.best.x = least.best.x + share*(target - least.best.x);
+    const settled<weighed> s(settle(w, settings_.passes, width_, with));
+    forget(w);
+    if (s.failure.empty())
+    {
+        computed_.append({told(w.what, mechanismNames()), s.variables, s.given});
     }
-
-    // It does not settle: the best of the states that were computed
-    return least;
+    return s.best;
 }
 
 

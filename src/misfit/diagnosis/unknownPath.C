@@ -3,6 +3,7 @@
 // correction by dimensionless numbers.
 
 #include "unknownPath.H"
+#include "settle.H"
 
 #include <algorithm>
 #include <cmath>
@@ -144,10 +145,16 @@ Foam::misfit::unknownPath::fit Foam::misfit::unknownPath::weigh
         (
             combinedModel(m.surface(), bounds_, combination), m.data().y, white_
         );
-    f.score =
-        f.best.objective + number
-      + combination.cols()*std::log(max(white_.effectiveSize(), 8.0));
+    setScore(f);
     return f;
+}
+
+
+void Foam::misfit::unknownPath::setScore(fit& f) const
+{
+    f.score =
+        f.best.objective + f.number
+      + f.combination.cols()*std::log(max(white_.effectiveSize(), 8.0));
 }
 
 
@@ -211,45 +218,44 @@ Foam::misfit::unknownPath::fit Foam::misfit::unknownPath::freely() const
 Foam::misfit::unknownPath::fit
 Foam::misfit::unknownPath::refitted(const fit& f)
 {
-    fit now(f);
     const auto local(fit_->copy());
-    for (label pass = 0; pass < settings_.passes; ++pass)
+    const auto model = [&](const fit& now)
     {
-        const vec x =
-            combinedModel(local->surface(), bounds_, now.combination).expand
-            (
-                now.best.x
-            );
-        const samples given(means(List<vec>(1, x)).first());
-        if (!given.ok())
-        {
-            Info<< "    not refitted: " << given.failure.c_str() << endl;
-            break;
-        }
+        return combinedModel(local->surface(), bounds_, now.combination);
+    };
+    refitting<fit> with;
+    with.expand = [&](const fit& now)
+    {
+        return model(now).expand(now.best.x);
+    };
+    with.compute = [&](const vec& x)
+    {
+        return means(List<vec>(1, x)).first();
+    };
+    with.passThrough = [&](const vec& x, const samples& given)
+    {
         local->passThrough(x, given.fit);
-        const labelList free(now.free);
-        now = weigh(*local, now.combination, now.number);
-        now.free = free;
-        now.given = given;
-        now.variables = x;
-
-        const vec moved =
-            combinedModel(local->surface(), bounds_, now.combination).expand
-            (
-                now.best.x
-            ) - x;
-        if (moved.cwiseQuotient(width_).cwiseAbs().maxCoeff() < 0.05)
-        {
-            break;
-        }
-    }
-    if (!now.variables.size())
+    };
+    with.stay = [&](fit now)
     {
-        now.variables =
-            combinedModel(local->surface(), bounds_, now.combination).expand
-            (
-                now.best.x
-            );
+        now.best = unfitted(model(now), local->data().y, white_, now.best.x);
+        setScore(now);
+        return now;
+    };
+    with.fit = [&](const fit& now)
+    {
+        fit next(weigh(*local, now.combination, now.number));
+        next.free = now.free;
+        return next;
+    };
+
+    const settled<fit> s(settle(f, settings_.passes, width_, with));
+    fit now(s.best);
+    now.given = s.given;
+    now.variables = s.variables;
+    if (s.failure.size())
+    {
+        now.variables = with.expand(now);
         now.given.fit = now.best.f;
         now.given.gate =
             gate_->size() ? gate_->surface()(now.variables) : vec();

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Refits in the solver: they settle where the surface is right, and turn back where
+// it leads too far.
+
+#include "settle.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+namespace
+{
+
+//- A number x whose square misfit is to vanish
+struct number
+{
+    fitted best;
+
+    scalar score = GREAT;
+};
+
+
+//- The solver gives steepness*x, and fails below a limit; the surface through the
+//  last run has slope 1, so that each step overshoots if the steepness is above 2
+class steepSolver
+{
+    const scalar steepness_;
+
+    const scalar limit_;
+
+    scalar at_ = 0;
+
+    scalar given_ = 0;
+
+public:
+
+    explicit steepSolver(const scalar steepness, const scalar limit = -GREAT)
+    :
+        steepness_(steepness),
+        limit_(limit)
+    {}
+
+    settled<number> from(const scalar start)
+    {
+        refitting<number> with;
+        with.expand = [](const number& n)
+        {
+            return n.best.x;
+        };
+        with.compute = [this](const vec& x)
+        {
+            samples s;
+            s.fit = steepness_*x;
+            s.failure = x[0] < limit_ ? "below the limit" : "";
+            return s;
+        };
+        with.passThrough = [this](const vec& x, const samples& s)
+        {
+            at_ = x[0];
+            given_ = s.fit[0];
+        };
+        with.stay = [this](number n)
+        {
+            n.score = sqr(given_ + n.best.x[0] - at_);
+            return n;
+        };
+        with.fit = [this](number n)
+        {
+            n.best.x[0] = at_ - given_;
+            return n;
+        };
+        number n;
+        n.best.x = vec::Constant(1, start);
+        return settle(n, 6, vec::Constant(1, 1), with);
+    }
+};
+
+} // End anonymous namespace
+
+
+TEST(misfitSettle, aSurfaceThatIsNearlyRightIsFollowed)
+{
+    const settled<number> s(steepSolver(1.2).from(1));
+    EXPECT_NEAR(s.variables[0], 0, 0.05);
+    EXPECT_NEAR(s.best.best.x[0], 0, 0.01);
+}
+
+
+TEST(misfitSettle, whatGoesToAndFroTurnsBackAndEndsWhereItWasComputed)
+{
+    const settled<number> s(steepSolver(3).from(1));
+    EXPECT_LT(mag(s.variables[0]), 0.3);
+    EXPECT_EQ(s.best.best.x[0], s.variables[0]);
+    EXPECT_EQ(s.given.fit[0], 3*s.variables[0]);
+    EXPECT_NEAR(s.best.score, sqr(3*s.variables[0]), 1e-12);
+}
+
+
+TEST(misfitSettle, whereTheSolverFailsOnTheWayHalfOfItIsTried)
+{
+    const settled<number> s(steepSolver(1.8, -0.6).from(1));
+    EXPECT_TRUE(s.failure.empty());
+    EXPECT_LT(mag(s.variables[0]), 0.3);
+    EXPECT_TRUE(s.given.ok());
+}
+
+
+TEST(misfitSettle, whereTheSolverFailsAtOnceTheFitStaysAndSaysWhy)
+{
+    const settled<number> s(steepSolver(1, 2).from(1));
+    EXPECT_EQ(s.failure, "below the limit");
+    EXPECT_EQ(s.variables.size(), 0);
+    EXPECT_EQ(s.best.best.x[0], 1);
+}
