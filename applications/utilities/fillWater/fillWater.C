@@ -115,6 +115,44 @@ scalar readDensity
 }
 
 
+//- Level [m] up to which pores in a box hold a mass of liquid; pores: volume of
+//  those in each cell [m3]
+scalar levelOf
+(
+    const scalar mass,
+    const scalar density,
+    const fvMesh& mesh,
+    const boundBox& box,
+    const scalarField& pores,
+    const dictionary& settings
+)
+{
+    const auto holds = [&](const scalar level)
+    {
+        return density*sum(pores*shares(mesh, box, level));
+    };
+    scalar low = box.min().z();
+    scalar high = mesh.bounds().max().z();
+    const scalar most = holds(high);
+
+    if (mass > most)
+    {
+        FatalIOErrorInFunction(settings)
+            << mass << " kg of water do not fit: the box " << box
+            << " extended to the top of the mesh holds " << most << " kg."
+            << nl << "    Give less water, or a higher mesh."
+            << exit(FatalIOError);
+    }
+
+    while (high - low > 1e-12*mesh.bounds().mag())
+    {
+        const scalar level = 0.5*(low + high);
+        (holds(level) > mass ? high : low) = level;
+    }
+    return low;
+}
+
+
 int main(int argc, char *argv[])
 {
     argList::addNote
@@ -167,33 +205,13 @@ int main(int argc, char *argv[])
     );
 
     const scalarField pores(voidFraction(mesh, g.value())*mesh.V());
-    const scalar top = mesh.bounds().max().z();
-    const scalar most = density*sum(pores*shares(mesh, box, top));
+    const scalar level = levelOf(mass, density, mesh, box, pores, settings);
 
-    if (mass > most)
-    {
-        FatalIOErrorInFunction(settings)
-            << mass << " kg of water do not fit: the box " << box
-            << " extended to the top of the mesh holds " << most << " kg."
-            << nl << "    Give less water, or a higher mesh."
-            << exit(FatalIOError);
-    }
-
-    scalar low = box.min().z();
-    scalar high = top;
-
-    while (high - low > 1e-12*mesh.bounds().mag())
-    {
-        const scalar level = 0.5*(low + high);
-        const bool above = density*sum(pores*shares(mesh, box, level)) > mass;
-        (above ? high : low) = level;
-    }
-
-    alpha.primitiveFieldRef() = shares(mesh, box, low);
+    alpha.primitiveFieldRef() = shares(mesh, box, level);
     alpha.write();
 
     Info<< "Water: " << density*sum(pores*alpha.primitiveField())
-        << " kg, level at z = " << low << " m; top of the packing at "
+        << " kg, level at z = " << level << " m; top of the packing at "
         << box.max().z() << " m" << nl << endl;
 
     return 0;

@@ -9,11 +9,14 @@
 
 #include <random>
 
-int main(int argc, char* argv[])
+namespace
 {
-    using namespace Foam;
-    using namespace Foam::misfit;
 
+using namespace Foam;
+using namespace Foam::misfit;
+
+void addOptions()
+{
     argList::addNote
     (
         "Make, diagnose and score cases whose cause is concealed. Started in"
@@ -33,7 +36,28 @@ int main(int argc, char* argv[])
         "check", "Compute a run of each bank anew and tell the difference"
     );
     argList::addBoolOption("solver", "Each state by the solver, not the bank");
+}
 
+
+//- Largest difference of a run of each bank, computed anew, over the uncertainty of
+//  a reading
+scalar difference(const fileName& slice, const fileName& banks)
+{
+    scalar largest = 0;
+    for (const word& side : wordList({"truth", "library"}))
+    {
+        largest =
+            max(largest, concealedSide(slice, banks, side, false).difference(1));
+    }
+    return largest;
+}
+
+} // End anonymous namespace
+
+
+int main(int argc, char* argv[])
+{
+    addOptions();
     UPstream::initNull();
     const argList args(argc, argv);
     const fileName slice(args.path());
@@ -73,15 +97,7 @@ int main(int argc, char* argv[])
     }
     if (args.found("check"))
     {
-        scalar largest = 0;
-        for (const word& side : wordList({"truth", "library"}))
-        {
-            largest = max
-            (
-                largest, concealedSide(slice, banks, side, false).difference(1)
-            );
-        }
-        Info<< "check " << largest << endl;
+        Info<< "check " << difference(slice, banks) << endl;
     }
     return 0;
 }
