@@ -81,7 +81,10 @@ bool Foam::misfit::worldSampler::fails(const runState& state)
         (state.experiment == failing_ && state.strengths.size())
      || state.experiment == failingAlways_
      || state.packing == failingPacking_
-     || (failsFiner_ && state.resolution != "base")
+     || (
+            failsFiner_ && state.resolution != "base"
+         && (failsFinerIn_.empty() || failsFinerIn_ == state.experiment)
+        )
      || (
             crashing_ >= 0
          && variables(state)[world::nParameters + crashing_] > 0
@@ -99,6 +102,7 @@ Foam::misfit::samples Foam::misfit::worldSampler::run(const runState& state)
     }
     const vec f =
         (1 + packingChanges_*state.packing)
+       *(1 + (state.resolution == "base" ? 0 : finerChanges_))
        *drawn(state.experiment, state.packing)
        *simulated(variables(state), state.experiment);
     if (state.experiment == "A")
@@ -246,9 +250,16 @@ void Foam::misfit::worldSampler::recordConstant
 }
 
 
-void Foam::misfit::worldSampler::failFiner()
+void Foam::misfit::worldSampler::refine(const scalar share)
+{
+    finerChanges_ = share;
+}
+
+
+void Foam::misfit::worldSampler::failFiner(const word& experiment)
 {
     failsFiner_ = true;
+    failsFinerIn_ = experiment;
 }
 
 

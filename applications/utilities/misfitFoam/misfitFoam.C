@@ -108,6 +108,11 @@ int main(int argc, char* argv[])
     const argList args(argc, argv);
     Time runTime(Time::controlDictName, args);
 
+    // A misspelt name of the dictionary takes no answer away
+    const word dictName("misfitDict");
+    #include "setSystemRunTimeDictionaryIO.H"
+    const IOdictionary dict(dictIO);
+
     const fileName folder(runTime.path()/"misfit");
     if (!args.found("dry-run"))
     {
@@ -126,9 +131,6 @@ int main(int argc, char* argv[])
         }
     }
 
-    const word dictName("misfitDict");
-    #include "setSystemRunTimeDictionaryIO.H"
-    const IOdictionary dict(dictIO);
     const settings set(readSettings(dict));
     warnOf(set);
     const recordings recorded(dict, runTime.path());

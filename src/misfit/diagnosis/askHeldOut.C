@@ -120,9 +120,10 @@ void Foam::misfit::diagnosis::addFailed
 {
     found_.gates.append
     ({
-        "transfer", "The solver runs in experiment " + other.experiment, why,
+        "computed", "The solver runs in experiment " + other.experiment, why,
         "runs", true, false
     });
+    failedExperiments_.append(other.experiment);
 }
 
 
@@ -140,7 +141,7 @@ void Foam::misfit::diagnosis::addCalibration
         {
             leaveOut(states[k], given[k].failure);
         }
-        else if (given[0].ok())
+        else
         {
             appendColumn(changes, given[k].gate - given[0].gate);
         }
@@ -200,14 +201,15 @@ void Foam::misfit::diagnosis::addExperiment
     const List<samples> given(means(states));
 
     covariance known(gates ? other.gate : other.score, settings_.trigger);
-    if (gates)
+    const bool ran = given[0].ok() && given[1].ok();
+    if (gates && ran)
     {
         addNumerics(known, other);
         addCalibration(known, states, given);
     }
     elsewhere_.insert({other.experiment, known});
 
-    if (given[0].ok() && given[1].ok())
+    if (ran)
     {
         compareElsewhere(other, given[0], given[1], known);
     }

@@ -45,21 +45,11 @@ Foam::misfit::runState Foam::misfit::diagnosis::state
     const label packing
 ) const
 {
-    runState s;
-    s.experiment = data().experiment;
+    runState s
+    (
+        stateOf(settings_, data().experiment, mechanismNames(), variables)
+    );
     s.packing = packing;
-    forAll(settings_.parameters, i)
-    {
-        s.parameters.insert(settings_.parameters[i].name, variables[i]);
-    }
-    forAll(settings_.candidates, i)
-    {
-        const scalar strength = variables[bounds_.nParameters + i];
-        if (strength > 0)
-        {
-            s.strengths.insert(settings_.candidates[i].name, strength);
-        }
-    }
     return s;
 }
 

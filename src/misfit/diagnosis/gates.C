@@ -153,7 +153,7 @@ Foam::misfit::gate Foam::misfit::diagnosis::adequacyGate()
         "Chance of what the best explanation leaves",
         number(left.p),
         "at least " + number(settings_.adequacy),
-        !best().what.unknown,
+        !best().what.unknown || isMostlyUnknown(),
         left.p >= settings_.adequacy
     };
 }
@@ -182,7 +182,7 @@ Foam::scalar Foam::misfit::diagnosis::heldOutLimit(const heldOut& h) const
     // formula errs elsewhere; half where something else is missing too
     const scalar rest = max(h.squareBefore - 1, 0.0);
     const scalar share = what.fault ? 1.1 : what.unknown ? 0.5 : 2.0/3;
-    return max(1 + rest*share, beyondChance);
+    return max(1 + rest*share, matchLimit(h));
 }
 
 
@@ -197,7 +197,7 @@ Foam::misfit::gate Foam::misfit::diagnosis::heldOutGate
 
     // Where nothing was wrong before, what stays so confirms nothing
     const bool nothingToAsk =
-        h.squareBefore < max(beyondChance, limitOfNothing(h)) && holds;
+        h.squareBefore < matchLimit(h) && holds;
     return
     {
         name,
@@ -297,6 +297,56 @@ Foam::misfit::gate Foam::misfit::diagnosis::stabilityGate()
 }
 
 
+Foam::scalar Foam::misfit::diagnosis::gainAlone() const
+{
+    return
+        best().what.mechanisms.empty() ? 0
+      : gain(*fit_, best().what, settings_.formulaTolerance);
+}
+
+
+bool Foam::misfit::diagnosis::isMostlyUnknown() const
+{
+    return
+        best().what.unknown && best().what.mechanisms.size()
+     && gainAlone() < (baseline().score - best().score)/3;
+}
+
+
+Foam::misfit::gate Foam::misfit::diagnosis::aloneGate() const
+{
+    const scalar alone = gainAlone();
+    return
+    {
+        "alone",
+        "Score that what is named gains with nothing unknown beside it",
+        number(alone),
+        "at least " + number(settings_.evidence),
+        best().what.mechanisms.size() > 0,
+        alone >= settings_.evidence
+    };
+}
+
+
+bool Foam::misfit::diagnosis::isConfirmed() const
+{
+    bool some = false;
+    for (const heldOut& h : found_.held)
+    {
+        if (h.use == purpose::gate && h.squareBefore > matchLimit(h))
+        {
+            const scalar half = 0.5*(1 + h.squareBefore);
+            if (h.squareAfter > max(half, matchLimit(h)))
+            {
+                return false;
+            }
+            some = true;
+        }
+    }
+    return some;
+}
+
+
 Foam::misfit::gate Foam::misfit::diagnosis::placeboGate() const
 {
     const stacked& data = fit_->data();
@@ -304,16 +354,18 @@ Foam::misfit::gate Foam::misfit::diagnosis::placeboGate() const
     const vec base = baseline().best.f;
     const scalar tolerance = settings_.formulaTolerance;
     const auto copy(fit_->copy());
-    const scalar real = gain(*copy, best().what, tolerance);
+    const scalar real = gainAlone();
 
     copy->record(2*base - y);
     scalar placebo = gain(*copy, best().what, tolerance);
 
-    // An effect that lasts is much the same at another time: no placebo then
+    // An effect that lasts is much the same at another time: no placebo then. And
+    // what held-out data confirm was seen at other times and places indeed
     const vec effect = best().best.f - base;
     const whitener white(baseline().covariance);
     const bool canMove =
-        likeness(white(effect), white(halfRoundLater(data, effect))) < 0.7;
+        !isConfirmed()
+     && likeness(white(effect), white(halfRoundLater(data, effect))) < 0.7;
     if (canMove)
     {
         copy->record(base + halfRoundLater(data, vec(y - base)));
@@ -324,13 +376,12 @@ Foam::misfit::gate Foam::misfit::diagnosis::placeboGate() const
     {
         "placebo",
         "Score that the best explanation gains, " + number(real)
-      + " (at least " + number(settings_.evidence)
-      + "): what it still gains where the misfit has the wrong sign"
+      + ": what it still gains where the misfit has the wrong sign"
       + (canMove ? " or is moved in time" : ""),
         number(placebo),
         "below " + number(limit),
-        best().what.mechanisms.size() > 0,
-        real >= settings_.evidence && placebo < limit
+        real >= settings_.evidence,
+        placebo < limit
     };
 }
 
@@ -368,6 +419,7 @@ void Foam::misfit::diagnosis::askGates()
     if (detected)
     {
         found_.gates.append(stabilityGate());
+        found_.gates.append(aloneGate());
         found_.gates.append(placeboGate());
     }
 }

@@ -54,6 +54,12 @@ Foam::scalar Foam::misfit::chanceOfSquare
 }
 
 
+Foam::scalar Foam::misfit::matchLimit(const heldOut& h)
+{
+    return max(1.5, chanceOfSquare(h.data.size(), 0.01));
+}
+
+
 Foam::scalar Foam::misfit::removed(const heldOut& h)
 {
     return

@@ -132,3 +132,30 @@ Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
     checkSizes(dict, s);
     return s;
 }
+
+
+Foam::misfit::runState Foam::misfit::stateOf
+(
+    const settings& set,
+    const word& experiment,
+    const wordList& names,
+    const vec& variables
+)
+{
+    runState s;
+    s.experiment = experiment;
+    const label nParameters = set.parameters.size();
+    for (label i = 0; i < nParameters; ++i)
+    {
+        s.parameters.insert(set.parameters[i].name, variables[i]);
+    }
+    forAll(names, i)
+    {
+        const scalar strength = variables[nParameters + i];
+        if (strength != 0)
+        {
+            s.strengths.insert(names[i], strength);
+        }
+    }
+    return s;
+}

@@ -64,21 +64,12 @@ Foam::misfit::runState Foam::misfit::unknownPath::state
     const vec& variables
 ) const
 {
-    runState s;
-    s.experiment = data().experiment;
-    forAll(settings_.parameters, i)
+    wordList names;
+    for (const correctionElement& e : settings_.correction)
     {
-        s.parameters.insert(settings_.parameters[i].name, variables[i]);
+        names.append(e.name);
     }
-    forAll(settings_.correction, i)
-    {
-        const scalar value = variables[bounds_.nParameters + i];
-        if (value != 0)
-        {
-            s.strengths.insert(settings_.correction[i].name, value);
-        }
-    }
-    return s;
+    return stateOf(settings_, data().experiment, names, variables);
 }
 
 

@@ -112,7 +112,7 @@ bool Foam::misfit::unknownPath::holdsIn
         elsewhere_.at(other.experiment)
     );
     const heldOut& h = found_.held.last();
-    return h.squareAfter < max(0.5*(h.squareBefore + 1), beyondChance);
+    return h.squareAfter < max(0.5*(h.squareBefore + 1), matchLimit(h));
 }
 
 

@@ -32,13 +32,6 @@ Foam::string Foam::misfit::diagnosis::whatFails() const
     {
         return "nothing in it explains it.";
     }
-    if (!passed("computed"))
-    {
-        return
-            "the solver failed with what explains it best, "
-          + told(best().what, mechanismNames()) + ", at the strength that was"
-            " fitted.";
-    }
     const wordList failed(failedGates());
     return
         "the best explanation, " + told(best().what, mechanismNames()) + ", "
@@ -48,6 +41,18 @@ Foam::string Foam::misfit::diagnosis::whatFails() const
             passed("heldOut") && passed("transfer")
           ? ". Two faulty sensors look like that, too." : "."
         );
+}
+
+
+Foam::string Foam::misfit::diagnosis::whatWasNotRun() const
+{
+    const string what(told(best().what, mechanismNames()));
+    return
+        failedExperiments_.empty()
+      ? "It cannot be decided: the solver failed with what explains it best, " + what
+      + ", at the strength that was fitted."
+      : what + " explains it best, but it is not confirmed: the solver fails in"
+        " experiment " + inWords(failedExperiments_, "and") + ".";
 }
 
 
@@ -137,8 +142,8 @@ Foam::string Foam::misfit::diagnosis::whatElsewhereSays() const
         }
     }
     return
-        "but the solver fails in an experiment that should confirm it (gate"
-        " transfer).";
+        "but the solver fails in experiment " + inWords(failedExperiments_, "and")
+      + ", which should confirm it.";
 }
 
 
@@ -148,8 +153,7 @@ Foam::string Foam::misfit::diagnosis::whatIsStillOff() const
     os.precision(3);
     for (const heldOut& h : found_.held)
     {
-        const scalar matched = max(beyondChance, limitOfNothing(h));
-        if (h.use == purpose::gate && h.squareAfter > matched)
+        if (h.use == purpose::gate && h.squareAfter > matchLimit(h))
         {
             os  << " It does not yet match " << h.what.c_str() << ": mean square "
                 << h.squareAfter << ", a match is 1.";
@@ -220,6 +224,14 @@ void Foam::misfit::diagnosis::describe()
             told(best().what, mechanismNames()) + " explains it best,"
             " but leads something that is not in the library by too little to"
             " be sure (gate gap).";
+    }
+    else if
+    (
+        v == "unknown" && !best().what.isOnlyUnknown() && !passed("computed")
+     && passed("adequacy")
+    )
+    {
+        found_.told = whatWasNotRun();
     }
     else if (v == "unknown")
     {

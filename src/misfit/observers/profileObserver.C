@@ -25,6 +25,12 @@ Foam::misfit::profileObserver::profileObserver(const channel& c)
     height_(c.simulated().get<scalar>("height"))
 {
     keywords::check(c.simulated(), {"type", "function", "height"});
+    if (height_ <= 0)
+    {
+        FatalIOErrorInFunction(c.simulated())
+            << "The channel " << c.name() << " has the height " << height_
+            << " m. Give that of the mesh, above zero" << exit(FatalIOError);
+    }
     if (c.overTime())
     {
         FatalIOErrorInFunction(c.simulated())

@@ -5,11 +5,13 @@
 #include "csvTable.H"
 #include "keywords.H"
 #include "quoted.H"
+#include "OSspecific.H"
 #include "units.H"
 #include "Tuple2.H"
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
 const Foam::Enum<Foam::misfit::purpose> Foam::misfit::purposeNames
 ({
@@ -40,6 +42,31 @@ Foam::label columnNumber
     (
         name.isString() ? name.stringToken() : name.wordToken()
     );
+}
+
+
+//- The name of a file with the variables of the environment in it put in; fatal
+//  where one is not set
+Foam::fileName expanded(const Foam::dictionary& dict, const Foam::fileName& name)
+{
+    using namespace Foam;
+    const std::regex variable(R"(\$\{?(\w+)\}?)");
+    std::smatch found;
+    if
+    (
+        std::regex_search(name, found, variable)
+     && getEnv(found[1].str()).empty()
+    )
+    {
+        const word missing(found[1].str());
+        FatalIOErrorInFunction(dict)
+            << "The recording " << name.c_str() << " needs the variable "
+            << missing << ", which is not set. Say where the recordings are:"
+            << "  export " << missing << "=<folder>" << exit(FatalIOError);
+    }
+    fileName file(name);
+    file.expand();
+    return file;
 }
 
 
@@ -137,8 +164,7 @@ void Foam::misfit::channel::readRecorded
     const fileName& folder
 )
 {
-    fileName file(dict.get<fileName>("file"));
-    file.expand();
+    const fileName file(expanded(dict, dict.get<fileName>("file")));
     const csvTable table(file.isAbsolute() ? file : folder/file);
 
     const label yColumn = columnNumber(dict, "column", table, 1);

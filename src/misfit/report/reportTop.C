@@ -69,10 +69,10 @@ std::string sureThat(const finding& f)
 std::string gone(const heldOut& h)
 {
     // A mean square of 1 is chance
-    if (h.squareBefore < beyondChance)
+    if (h.squareBefore < matchLimit(h))
     {
         return
-            h.squareAfter < beyondChance
+            h.squareAfter < matchLimit(h)
           ? "there was no misfit beyond chance: it neither confirms nor denies"
           : "a misfit comes that was not there";
     }
@@ -278,12 +278,17 @@ std::string Foam::misfit::glossary()
                     " makes; it is weighed like the others"},
                 {"evidence", "how much better the best explanation scores than none"},
                 {"gap", "how far it leads the next one that says something else"},
+                {"detection", "whether recording and simulation part beyond chance"},
+                {"computed", "whether the solver ran what was to be judged"},
                 {"adequacy", "whether what it leaves can be chance"},
+                {"alone", "whether what is named explains something by itself, with"
+                    " nothing unknown beside it"},
                 {"heldOut, transfer", "whether it improves channels, and experiments,"
                     " that were not used to find it"},
                 {"stability", "whether it still wins when a channel is left out"},
                 {"placebo", "whether it fits a false misfit, reversed or moved in"
-                    " time, nearly as well: then it fits anything"},
+                    " time, nearly as well: then it fits anything. Not moved where"
+                    " held-out data confirm it"},
                 {"before, front, body, tail, after", "parts of a recording: until it"
                     " arrives, until its peak, the first half of the way down, the"
                     " second, the rest"}

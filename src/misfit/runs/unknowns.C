@@ -3,7 +3,9 @@
 // mechanisms that it may lack.
 
 #include "unknowns.H"
+#include "ListOps.H"
 #include "keywords.H"
+#include "scalarList.H"
 
 namespace
 {
@@ -94,25 +96,32 @@ misfit::candidate readCandidate(const word& name, const dictionary& dict)
     (
         dict, {"title", "changes", "strengths", "upper", "bound", "signs"}
     );
-    const Tuple2<scalar, scalar> strengths
+    const scalarList strengths
     (
-        dict.getOrDefault("strengths", Tuple2<scalar, scalar>(0.5, 1))
+        dict.getOrDefault("strengths", scalarList({0.5, 1}))
     );
+    if (strengths.size() != 2)
+    {
+        FatalIOErrorInFunction(dict)
+            << "The candidate " << name << " has " << strengths.size()
+            << " strengths. Give two, a weak and a strong one, as"
+            << "  strengths (0.5 1);" << exit(FatalIOError);
+    }
     const misfit::candidate c
     {
         name,
         dict.getOrDefault<string>("title", name),
         changesOf(dict),
-        strengths.first(),
-        strengths.second(),
-        dict.getOrDefault<scalar>("upper", strengths.second()),
+        strengths[0],
+        strengths[1],
+        dict.getOrDefault<scalar>("upper", strengths[1]),
         dict.getOrDefault<scalar>("bound", GREAT),
         signsOf(dict)
     };
     if (c.weak <= 0 || c.strong <= c.weak || c.upper < c.strong)
     {
         FatalIOErrorInFunction(dict)
-            << "The candidate " << name << " has the strengths " << strengths
+            << "The candidate " << name << " has the strengths " << flatOutput(strengths)
             << " and the upper bound " << c.upper << ": the first strength must be"
             << " above zero, the second larger, and upper no smaller than that"
             << exit(FatalIOError);
