@@ -66,7 +66,7 @@ Foam::misfit::interval Foam::misfit::ofMean(const scalarList& values)
             squares += sqr(v - i.value);
         }
         const scalar half = z*std::sqrt(squares)/max(i.n, label(2));
-        i.low = i.value - half;
+        i.low = max(i.value - half, 0.0);
         i.high = i.value + half;
     }
     return i;
