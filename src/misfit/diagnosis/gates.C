@@ -340,7 +340,7 @@ bool Foam::misfit::diagnosis::isConfirmed() const
             {
                 return false;
             }
-            some = true;
+            some = some || h.squareAfter <= half;
         }
     }
     return some;
