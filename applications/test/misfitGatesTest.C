@@ -27,6 +27,20 @@ wordList failed(const finding& f)
     return names;
 }
 
+//- True if the placebo moved the misfit in time
+bool isMoved(const finding& f)
+{
+    for (const gate& g : f.gates)
+    {
+        if (g.name == "placebo")
+        {
+            return g.asked.find("moved in time") != std::string::npos;
+        }
+    }
+    return false;
+}
+
+
 //- A wave that no candidate makes [Pa], and as high a level
 vec strangeWave(const scalar pressure)
 {
@@ -112,6 +126,21 @@ TEST(misfitGates, anExperimentThatFailsIsNoDisagreement)
     EXPECT_TRUE(f.failedRuns.size());
     EXPECT_LT(f.confidence, 0.7);
     EXPECT_EQ(failed(f), wordList({"computed"}));
+}
+
+
+TEST(misfitGates, anExperimentThatFailsHidesNoOtherThatRefutes)
+{
+    worldSampler s(truth(0, 0.7), 200, vec());
+    s.mislabelHeldOut(1.6);
+    s.failIn("B");
+    const finding f(diagnose(s));
+    show(f);
+    EXPECT_EQ(f.verdict, "unknown");
+    EXPECT_FALSE(passes(f, "heldOut"));
+    EXPECT_NE(f.told.find("heldOut"), std::string::npos) << f.told;
+    EXPECT_NE(f.told.find("solver fails in experiment B"), std::string::npos)
+        << f.told;
 }
 
 
@@ -309,19 +338,10 @@ TEST(misfitGates, theMisfitIsMovedInTimeOnlyWhereNoHeldOutDataConfirmTheAnswer)
     worldSampler with(truth(0, 0.7), 200, vec());
     worldSampler without(truth(0, 0.7), 200, vec());
     without.holdNothingOut();
-    const auto isMoved = [](const finding& f)
-    {
-        for (const gate& g : f.gates)
-        {
-            if (g.name == "placebo")
-            {
-                return g.asked.find("moved in time") != std::string::npos;
-            }
-        }
-        return false;
-    };
+    worldSampler third(truth(1, 0.8), 3060, vec());
     EXPECT_FALSE(isMoved(diagnose(with)));
     EXPECT_TRUE(isMoved(diagnose(without)));
+    EXPECT_TRUE(isMoved(diagnose(third)));
 }
 
 

@@ -108,7 +108,7 @@ int main(int argc, char* argv[])
     const argList args(argc, argv);
     Time runTime(Time::controlDictName, args);
 
-    // A misspelt name of the dictionary takes no answer away
+    // A dictionary that is not there, or cannot be read, takes no answer away
     const word dictName("misfitDict");
     #include "setSystemRunTimeDictionaryIO.H"
     const IOdictionary dict(dictIO);

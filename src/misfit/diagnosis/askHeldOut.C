@@ -118,6 +118,10 @@ void Foam::misfit::diagnosis::addFailed
     const string& why
 )
 {
+    if (failedExperiments_.found(other.experiment))
+    {
+        return;
+    }
     found_.gates.append
     ({
         "computed", "The solver runs in experiment " + other.experiment, why,
@@ -201,15 +205,14 @@ void Foam::misfit::diagnosis::addExperiment
     const List<samples> given(means(states));
 
     covariance known(gates ? other.gate : other.score, settings_.trigger);
-    const bool ran = given[0].ok() && given[1].ok();
-    if (gates && ran)
+    if (gates && given[0].ok())
     {
         addNumerics(known, other);
         addCalibration(known, states, given);
     }
     elsewhere_.insert({other.experiment, known});
 
-    if (ran)
+    if (given[0].ok() && given[1].ok())
     {
         compareElsewhere(other, given[0], given[1], known);
     }

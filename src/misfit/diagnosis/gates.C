@@ -380,7 +380,7 @@ Foam::misfit::gate Foam::misfit::diagnosis::placeboGate() const
       + (canMove ? " or is moved in time" : ""),
         number(placebo),
         "below " + number(limit),
-        real >= settings_.evidence,
+        best().what.mechanisms.size() && real >= settings_.evidence,
         placebo < limit
     };
 }

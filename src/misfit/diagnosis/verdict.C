@@ -387,12 +387,6 @@ bool Foam::misfit::diagnosis::hasAllThatIsNamed(const weighed& w) const
 }
 
 
-bool Foam::misfit::diagnosis::isBest(const weighed& w) const
-{
-    return told(w.what, mechanismNames()) == told(best().what, mechanismNames());
-}
-
-
 void Foam::misfit::diagnosis::confide()
 {
     const scalar lowest = lowestScore();
@@ -406,7 +400,7 @@ void Foam::misfit::diagnosis::confide()
           ? isFault(w) && w.what.fault->channel() == found_.names[0]
           : v == "unknown" ? w.what.isOnlyUnknown()
           : v == "set" ? w.score < lowest + settings_.gap
-          : hasAllThatIsNamed(w) || isBest(w);
+          : hasAllThatIsNamed(w);
         sum += counts ? w.probability : 0;
     }
 
@@ -418,7 +412,12 @@ void Foam::misfit::diagnosis::confide()
     }
 
     // Of six such sets there one held the cause
-    if (found_.verdict == "set" && !isConfirmed())
+    bool physics = false;
+    for (const weighed& w : rivals())
+    {
+        physics = physics || w.what.mechanisms.size();
+    }
+    if (found_.verdict == "set" && physics && !isConfirmed())
     {
         sum = min(sum, 0.25);
     }

@@ -225,11 +225,7 @@ void Foam::misfit::diagnosis::describe()
             " but leads something that is not in the library by too little to"
             " be sure (gate gap).";
     }
-    else if
-    (
-        v == "unknown" && !best().what.isOnlyUnknown() && !passed("computed")
-     && passed("adequacy")
-    )
+    else if (v == "unknown" && failedGates() == wordList({"computed"}))
     {
         found_.told = whatWasNotRun();
     }
@@ -238,6 +234,12 @@ void Foam::misfit::diagnosis::describe()
         found_.told =
             "Something is missing that is not in the library, or not only that: "
           + whatFails();
+        if (failedExperiments_.size())
+        {
+            found_.told +=
+                " The solver fails in experiment "
+              + inWords(failedExperiments_, "and") + '.';
+        }
     }
     else if (found_.blamesChannel())
     {

@@ -50,19 +50,19 @@ Foam::label columnNumber
 Foam::fileName expanded(const Foam::dictionary& dict, const Foam::fileName& name)
 {
     using namespace Foam;
-    const std::regex variable(R"(\$\{?(\w+)\}?)");
-    std::smatch found;
-    if
-    (
-        std::regex_search(name, found, variable)
-     && getEnv(found[1].str()).empty()
-    )
+    // One with a default, ${NAME:-folder}, need not be set
+    const std::regex variable(R"(\$(?:(\w+)|\{(\w+)\}))");
+    std::sregex_iterator found(name.begin(), name.end(), variable);
+    for (; found != std::sregex_iterator(); ++found)
     {
-        const word missing(found[1].str());
-        FatalIOErrorInFunction(dict)
-            << "The recording " << name.c_str() << " needs the variable "
-            << missing << ", which is not set. Say where the recordings are:"
-            << "  export " << missing << "=<folder>" << exit(FatalIOError);
+        const word needed((*found)[1].str() + (*found)[2].str());
+        if (getEnv(needed).empty())
+        {
+            FatalIOErrorInFunction(dict)
+                << "The recording " << name.c_str() << " needs the variable "
+                << needed << ", which is not set. Say where the recordings are:"
+                << "  export " << needed << "=<folder>" << exit(FatalIOError);
+        }
     }
     fileName file(name);
     file.expand();
