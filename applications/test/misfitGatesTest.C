@@ -300,13 +300,16 @@ TEST(misfitGates, whatAnotherChannelContradictsIsNotNamed)
 
 TEST(misfitGates, besideSomethingUnknownWhatIsNamedMustGainByItself)
 {
+    worldSampler s(truth(2, 0.1), 201, strangeWave(120));
+    EXPECT_EQ(diagnose(s).verdict, "named");
+
+    // More than it gains alone, less than both gain
     settings set(worldSettings());
-    set.evidence = 25;
-    worldSampler s(truth(1, 0.1), 200, strangeWave(120));
-    const finding f(diagnose(s, set));
+    set.evidence = 150;
+    worldSampler strict(truth(2, 0.1), 201, strangeWave(120));
+    const finding f(diagnose(strict, set));
     show(f);
-    EXPECT_TRUE(passes(f, "evidence"));
-    EXPECT_FALSE(passes(f, "alone"));
+    EXPECT_EQ(failed(f), wordList({"alone"}));
     EXPECT_EQ(f.verdict, "unknown");
 }
 
