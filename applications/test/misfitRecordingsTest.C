@@ -348,6 +348,19 @@ TEST(misfitChannel, aFileWithoutNamesOrNumbersIsRefused)
 }
 
 
+TEST(misfitChannel, aVariableInTheNameMustBeSetOrHaveADefault)
+{
+    const std::string text("t_s,p_Pa\n0,1\n1,2\n2,5\n3,6\n");
+    expectSays(refusal(text, "file \"$NOT_SET/S1.csv\";"), "export NOT_SET=");
+    expectSays(refusal(text, "file \"${HOME}${NOT_SET}/S1.csv\";"), "export NOT_SET=");
+
+    files f;
+    f.write("S1.csv", text);
+    const std::string folder("${NOT_SET:-" + f.folder() + "}");
+    EXPECT_EQ(make(f, "file \"" + folder + "/S1.csv\";").size(), 4);
+}
+
+
 TEST(misfitChannel, unsortedTimesAreRefused)
 {
     expectSays(refusal("t_s,p_Pa\n0,1\n2,2\n1,3\n"), "Line 4 of");
