@@ -27,17 +27,25 @@ wordList failed(const finding& f)
     return names;
 }
 
-//- True if the placebo moved the misfit in time
-bool isMoved(const finding& f)
+
+//- The first gate of that name; one without a name if it was not asked
+gate gateOf(const finding& f, const word& name)
 {
     for (const gate& g : f.gates)
     {
-        if (g.name == "placebo")
+        if (g.name == name)
         {
-            return g.asked.find("moved in time") != std::string::npos;
+            return g;
         }
     }
-    return false;
+    return gate();
+}
+
+
+//- True if the placebo moved the misfit in time
+bool isMoved(const finding& f)
+{
+    return gateOf(f, "placebo").asked.find("moved in time") != std::string::npos;
 }
 
 
@@ -318,21 +326,12 @@ TEST(misfitGates, whereMostIsUnknownWhatIsLeftMustBeChance)
 {
     settings set(worldSettings());
     set.adequacy = 0.2;
-    const auto isAsked = [](const finding& f)
-    {
-        for (const gate& g : f.gates)
-        {
-            if (g.name == "adequacy")
-            {
-                return g.applies;
-            }
-        }
-        return false;
-    };
     worldSampler most(truth(1, 0.3), 200, strangeWave(200));
-    EXPECT_TRUE(isAsked(diagnose(most, set)));
+    EXPECT_TRUE(gateOf(diagnose(most, set), "adequacy").applies);
     worldSampler little(truth(2, 0.3), 200, strangeWave(120));
-    EXPECT_FALSE(isAsked(diagnose(little, set)));
+    const gate notAsked(gateOf(diagnose(little, set), "adequacy"));
+    EXPECT_EQ(notAsked.name, "adequacy");
+    EXPECT_FALSE(notAsked.applies);
 }
 
 

@@ -54,23 +54,12 @@ json rival(const finding& f, const scalar trigger)
 runState stateOf(const finding& f, const settings& set, const bool with)
 {
     const weighed& best = f.explanations.first();
-    runState s;
-    forAll(set.parameters, i)
+    wordList names;
+    for (const label m : best.what.mechanisms)
     {
-        s.parameters.insert(set.parameters[i].name, best.best.x[i]);
+        names.append(set.candidates[m].name);
     }
-    forAll(best.what.mechanisms, i)
-    {
-        if (with)
-        {
-            s.strengths.insert
-            (
-                set.candidates[best.what.mechanisms[i]].name,
-                best.best.x[set.parameters.size() + i]
-            );
-        }
-    }
-    return s;
+    return stateOf(set, "A", with ? names : wordList(), best.best.x);
 }
 
 

@@ -144,7 +144,8 @@ Foam::misfit::gate Foam::misfit::diagnosis::gapGate() const
 }
 
 
-Foam::misfit::gate Foam::misfit::diagnosis::adequacyGate()
+Foam::misfit::gate
+Foam::misfit::diagnosis::adequacyGate(const scalar alone)
 {
     const scanned left(look(*fit_, best()));
     return
@@ -153,7 +154,7 @@ Foam::misfit::gate Foam::misfit::diagnosis::adequacyGate()
         "Chance of what the best explanation leaves",
         number(left.p),
         "at least " + number(settings_.adequacy),
-        !best().what.unknown || isMostlyUnknown(),
+        !best().what.unknown || isMostlyUnknown(alone),
         left.p >= settings_.adequacy
     };
 }
@@ -196,8 +197,7 @@ Foam::misfit::gate Foam::misfit::diagnosis::heldOutGate
     const bool holds = h.squareAfter < limit;
 
     // Where nothing was wrong before, what stays so confirms nothing
-    const bool nothingToAsk =
-        h.squareBefore < matchLimit(h) && holds;
+    const bool nothingToAsk = h.squareBefore < matchLimit(h) && holds;
     return
     {
         name,
@@ -305,17 +305,17 @@ Foam::scalar Foam::misfit::diagnosis::gainAlone() const
 }
 
 
-bool Foam::misfit::diagnosis::isMostlyUnknown() const
+bool Foam::misfit::diagnosis::isMostlyUnknown(const scalar alone) const
 {
     return
         best().what.unknown && best().what.mechanisms.size()
-     && gainAlone() < (baseline().score - best().score)/3;
+     && alone < (baseline().score - best().score)/3;
 }
 
 
-Foam::misfit::gate Foam::misfit::diagnosis::aloneGate() const
+Foam::misfit::gate
+Foam::misfit::diagnosis::aloneGate(const scalar alone) const
 {
-    const scalar alone = gainAlone();
     return
     {
         "alone",
@@ -347,14 +347,14 @@ bool Foam::misfit::diagnosis::isConfirmed() const
 }
 
 
-Foam::misfit::gate Foam::misfit::diagnosis::placeboGate() const
+Foam::misfit::gate
+Foam::misfit::diagnosis::placeboGate(const scalar alone) const
 {
     const stacked& data = fit_->data();
     const vec y = data.y;
     const vec base = baseline().best.f;
     const scalar tolerance = settings_.formulaTolerance;
     const auto copy(fit_->copy());
-    const scalar real = gainAlone();
 
     copy->record(2*base - y);
     scalar placebo = gain(*copy, best().what, tolerance);
@@ -371,16 +371,16 @@ Foam::misfit::gate Foam::misfit::diagnosis::placeboGate() const
         copy->record(base + halfRoundLater(data, vec(y - base)));
         placebo = max(placebo, gain(*copy, best().what, tolerance));
     }
-    const scalar limit = 0.5*real;
+    const scalar limit = 0.5*alone;
     return
     {
         "placebo",
-        "Score that the best explanation gains, " + number(real)
+        "Score that the best explanation gains, " + number(alone)
       + ": what it still gains where the misfit has the wrong sign"
       + (canMove ? " or is moved in time" : ""),
         number(placebo),
         "below " + number(limit),
-        best().what.mechanisms.size() && real >= settings_.evidence,
+        best().what.mechanisms.size() && alone >= settings_.evidence,
         placebo < limit
     };
 }
@@ -390,12 +390,13 @@ void Foam::misfit::diagnosis::askGates()
 {
     found_.gates.append(detectionGate());
     const bool detected = found_.gates.last().passed;
+    const scalar alone = detected ? gainAlone() : 0;
     if (detected)
     {
         found_.gates.append(evidenceGate());
         found_.gates.append(computedGate());
         found_.gates.append(gapGate());
-        found_.gates.append(adequacyGate());
+        found_.gates.append(adequacyGate(alone));
     }
     else
     {
@@ -419,7 +420,7 @@ void Foam::misfit::diagnosis::askGates()
     if (detected)
     {
         found_.gates.append(stabilityGate());
-        found_.gates.append(aloneGate());
-        found_.gates.append(placeboGate());
+        found_.gates.append(aloneGate(alone));
+        found_.gates.append(placeboGate(alone));
     }
 }

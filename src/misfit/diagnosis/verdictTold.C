@@ -96,11 +96,9 @@ bool Foam::misfit::diagnosis::mayBeTogether() const
 {
     for (const weighed& w : rivals())
     {
-        bool all = w.what.mechanisms.size() == found_.names.size();
-        for (const label m : w.what.mechanisms)
-        {
-            all = all && found_.names.found(mechanismNames()[m]);
-        }
+        const bool all =
+            hasAllThatIsNamed(w)
+         && w.what.mechanisms.size() == found_.names.size();
         if (all && found_.names.size() > 1)
         {
             return true;
