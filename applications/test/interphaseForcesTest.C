@@ -56,12 +56,12 @@ void put(standingGrains& phase, const pointField& places, const scalar d)
 
 
 //- Water that streams and turns
-fluidFields water(const label n)
+fluidFields water(const label n, const scalar mu = muWater)
 {
     return fluidFields
     {
         scalarField(n, rhoWater),
-        scalarField(n, muWater),
+        scalarField(n, mu),
         scalarField(n, 0.7),
         vectorField(n, vector(0.4, 0, 0)),
         vectorField(n, vector(0, 0, 5)),
@@ -96,7 +96,8 @@ whole inOneCell
     const label n,
     const scalar d,
     const scalar N,
-    const string& laws
+    const string& laws,
+    const scalar mu = muWater
 )
 {
     testMesh box;
@@ -110,7 +111,7 @@ whole inOneCell
     pores.update();
 
     interphaseForces forces(exchange, pores, entries(laws), g, N);
-    const fluidFields fluid(water(mesh.nCells()));
+    const fluidFields fluid(water(mesh.nCells(), mu));
     forces.prepare(fluid, interval);
     forces.finish
     (
@@ -289,6 +290,19 @@ struct loneGrain
 };
 
 } // End anonymous namespace
+
+
+TEST(interphaseForces, aFluidWithoutViscosityStillHasForces)
+{
+    for (const char* drag : {"DiFelice", "Ergun", "Gidaspow", "KochHill", "Beetstra"})
+    {
+        const whole none(inOneCell(3, 0.01, 1, laws(drag), 0));
+        const whole thin(inOneCell(3, 0.01, 1, laws(drag), 1e-12));
+        EXPECT_GT(none.dragCoefficient, 0) << drag;
+        EXPECT_NEAR(none.dragCoefficient/thin.dragCoefficient, 1, 0.01) << drag;
+        EXPECT_LT(none.residual, 1e-12) << drag;
+    }
+}
 
 
 TEST(coarseGraining, aParcelGetsWhatTheGrainsGetThatItStandsFor)

@@ -234,7 +234,9 @@ void Foam::interphaseForces::setForce
         0.5*vorticity - grain.angularVelocity,
         vorticity,
         fluid.number(fluidAtGrain::rho),
-        fluid.number(fluidAtGrain::mu),
+
+        // None at all where HerschelBulkley has no yield stress and rests
+        max(fluid.number(fluidAtGrain::mu), SMALL),
         fluid.number(fluidAtGrain::voidFraction),
         dSauter/coarseGraining_
     };
