@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Changes of a case that misfitFoam makes: what was asked, and nothing else.
+
+#include "caseChange.H"
+#include "fakeCase.H"
+
+#include "IFstream.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+namespace
+{
+
+caseChange change(const std::string& text)
+{
+    IStringStream is(text);
+    return caseChange(dictionary(is));
+}
+
+} // End anonymous namespace
+
+
+TEST(misfitChanges, anEntryIsChangedAndIncludesStay)
+{
+    const fakeCase c;
+    change("file \"system/controlDict\"; entry endTime; scale 2; offset 1;")
+        .apply(c.folder(), 3);
+    const std::string text(content(c.folder()/"system/controlDict"));
+    EXPECT_NE(text.find("#include"), std::string::npos) << text;
+    EXPECT_NE(text.find("\"more\""), std::string::npos) << text;
+
+    IFstream is(c.folder()/"system/controlDict");
+    const dictionary dict(is);
+    EXPECT_EQ(dict.get<scalar>("endTime"), 7);
+    EXPECT_EQ(dict.get<scalar>("deltaT"), 1);
+}
+
+
+TEST(misfitChanges, aVariableOfAScriptIsChanged)
+{
+    const fakeCase c;
+    change("file \"constant/script\"; variable mu;").apply(c.folder(), 0.25);
+    EXPECT_EQ
+    (
+        content(c.folder()/"constant/script"),
+        "variable mu equal 0.25\nfix 1 mu ${mu}\n"
+    );
+}
+
+
+TEST(misfitChanges, whatIsNotThereCannotBeChanged)
+{
+    const fakeCase c;
+    const auto said = [&c](const std::string& text)
+    {
+        return refusal([&](){ change(text).apply(c.folder(), 1); });
+    };
+    EXPECT_NE
+    (
+        said("file \"constant/model\"; entry \"a/slop\";").find("add true"),
+        std::string::npos
+    );
+    EXPECT_NE
+    (
+        said("file \"constant/none\"; entry x;").find("has no file"),
+        std::string::npos
+    );
+    EXPECT_NE
+    (
+        said("file \"constant/script\"; variable nu;").find("0 lines"),
+        std::string::npos
+    );
+}

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A recording: read with units, reduced to samples, and refused with a clear message
+// where something is wrong with it.
+
+#include "recordedFiles.H"
+#include "recordings.H"
+#include "saidDuring.H"
+#include "units.H"
+
+#include "IStringStream.H"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+namespace
+{
+
+//- The channel with these entries
+channel make(const files& f, const std::string& entries, const label n = 40)
+{
+    IStringStream is(pressure + entries);
+    return channel("S1", dictionary(is), purpose::fit, f.folder(), n);
+}
+
+
+//- What is said of a channel whose file holds that
+std::string refusal
+(
+    const std::string& text,
+    const std::string& entries = "file \"S1.csv\";"
+)
+{
+    files f;
+    f.write("S1.csv", text);
+    try
+    {
+        make(f, entries);
+    }
+    catch (const Foam::error& e)
+    {
+        return e.message();
+    }
+    return "nothing";
+}
+
+} // End anonymous namespace
+
+
+TEST(misfitUnits, theUnitIsReadFromTheNameOfTheColumn)
+{
+    EXPECT_EQ(unitInName("p_Pa"), "Pa");
+    EXPECT_EQ(unitInName("p_excess_kPa"), "kPa");
+    EXPECT_EQ(unitInName("v_m_per_s"), "m_per_s");
+    EXPECT_EQ(unitInName("level [mm]"), "mm");
+    EXPECT_EQ(unitInName("h_over_d"), "");
+    EXPECT_EQ(unitInName("Pa"), "");
+}
+
+
+TEST(misfitUnits, eachQuantityHasItsSIUnit)
+{
+    EXPECT_EQ(siUnit("pressure"), "Pa");
+    EXPECT_EQ(siUnit("velocity"), "m/s");
+    EXPECT_EQ(siUnit("mass"), "kg");
+    EXPECT_EQ(siUnit("dimensionless"), "");
+    EXPECT_EQ(siUnit("no such quantity"), "");
+}
+
+
+TEST(misfitChannel, aFileInOtherUnitsIsReadInSI)
+{
+    files f;
+    f.write("S1.csv", "# sensor S1\nt_ms,p [kPa]\n0,1\n500,2\n\n1000,4\n");
+    const channel c(make(f, "file \"S1.csv\";"));
+    ASSERT_EQ(c.recorded().x.size(), 3);
+    EXPECT_DOUBLE_EQ(c.recorded().x[1], 0.5);
+    EXPECT_DOUBLE_EQ(c.recorded().y[2], 4000);
+}
+
+
+TEST(misfitChannel, aFileWithoutUnitsIsReadWithThoseGivenBeside)
+{
+    files f;
+    f.write("S1.csv", "T,Z\n0,1\n1,2\n2,4\n");
+    const channel c
+    (
+        make
+        (
+            f,
+            "file \"S1.csv\"; xUnit s; xScale 0.1; unit Pa; scale 3; offset 1;"
+        )
+    );
+    EXPECT_DOUBLE_EQ(c.recorded().x[2], 0.2);
+    EXPECT_DOUBLE_EQ(c.recorded().y[2], 13);
+}
+
+
+TEST(misfitChannel, aColumnIsFoundByItsNameWithOrWithoutUnit)
+{
+    files f;
+    f.write("S1.csv", "t_s,pa_Pa,p_Pa\n0,1,5\n1,2,6\n2,4,7\n");
+    EXPECT_EQ(make(f, "file \"S1.csv\"; column p;").recorded().y[0], 5);
+    EXPECT_EQ(make(f, "file \"S1.csv\"; column p_Pa;").recorded().y[0], 5);
+    EXPECT_EQ(make(f, "file \"S1.csv\";").recorded().y[0], 1);
+}
+
+
+TEST(misfitChannel, samplesAreMeansOfTheReadingsInThem)
+{
+    std::string text("t_s,p_Pa\n");
+    for (int i = 0; i <= 1000; ++i)
+    {
+        text += std::to_string(0.001*i) + ',' + std::to_string(2*i) + '\n';
+    }
+    files f;
+    f.write("S1.csv", text);
+    const channel c(make(f, "file \"S1.csv\";", 10));
+    ASSERT_EQ(c.size(), 10);
+    EXPECT_NEAR(c.span(), 0.1, 1e-12);
+    EXPECT_NEAR(c.centre()[3], 0.35, 1e-12);
+    EXPECT_NEAR(c.readings()[3], 100, 1);
+    EXPECT_NEAR(c.sampled()[3], 2*350, 2);
+
+    // A simulation with long steps is sampled in the same way
+    const series simulated{{0, 0.5, 1}, {0, 1000, 2000}};
+    EXPECT_NEAR(c.sampled(simulated)[3], c.sampled()[3], 1e-9);
+}
+
+
+TEST(misfitChannel, fewReadingsAreTakenAsTheyAre)
+{
+    files f;
+    f.write("S1.csv", "t_s,p_Pa\n0,1\n1,2\n5,4\n");
+    const channel c(make(f, "file \"S1.csv\";"));
+    ASSERT_EQ(c.size(), 3);
+    EXPECT_EQ(c.span(), 0);
+    EXPECT_EQ(c.centre()[2], 5);
+}
+
+
+TEST(misfitChannel, onlyTheIntervalCounts)
+{
+    files f;
+    f.write("S1.csv", "t_s,p_Pa\n0,1\n1,2\n2,4\n3,5\n4,6\n");
+    const channel c(make(f, "file \"S1.csv\"; interval (1 3);"));
+    EXPECT_EQ(c.size(), 3);
+    EXPECT_EQ(c.sampled()[0], 2);
+}
+
+
+TEST(misfitChannel, aNumberAloneIsOneSampleInSI)
+{
+    files f;
+    const channel c(make(f, "value 3; unit kPa; recorder logger;"));
+    EXPECT_TRUE(c.isRecorded());
+    EXPECT_FALSE(c.overTime());
+    EXPECT_EQ(c.at(), 0);
+    EXPECT_EQ(c.recorder(), "logger");
+    ASSERT_EQ(c.size(), 1);
+    EXPECT_NEAR(c.sampled()[0], 3000, 1e-9);
+
+    series simulated;
+    simulated.x = {0.0};
+    simulated.y = {7.0};
+    EXPECT_NEAR(c.sampled(simulated)[0], 7, 1e-12);
+}
+
+
+TEST(misfitChannel, aNumberAloneWithoutItsUnitOrBesideAFileIsRefused)
+{
+    const std::string good("t_s,p_Pa\n0,1\n1,2\n2,4\n");
+    expectSays(refusal(good, "value 3;"), "needs its unit");
+    expectSays(refusal(good, "value 3; unit Pa; file \"S1.csv\";"), "no file");
+    expectSays(refusal(good, "value 3; unit mm;"), "no unit of pressure");
+}
+
+
+TEST(misfitChannel, theQuietTimeBeforeTheArrivalShowsTheNoise)
+{
+    // Noise that forgets by half from reading to reading, then a step
+    std::string text("t_s,p_Pa\n");
+    double noise = 0;
+    unsigned state = 1;
+    for (int i = 0; i < 4000; ++i)
+    {
+        double kick = -6;
+        for (int k = 0; k < 12; ++k)
+        {
+            state = 1664525u*state + 1013904223u;
+            kick += state/4294967296.0;
+        }
+        noise = 0.5*noise + std::sqrt(0.75)*5*kick;
+        text += std::to_string(0.001*i) + ','
+            + std::to_string(noise + (i < 2000 ? 0 : 2000)) + '\n';
+    }
+    files f;
+    f.write("S1.csv", text);
+    const channel c(make(f, "file \"S1.csv\";"));
+    EXPECT_NEAR(c.uncertainty(), 5, 0.5);
+    EXPECT_NEAR(c.memory(), 0.001/std::log(2.0), 0.0003);
+    EXPECT_EQ(make(f, "file \"S1.csv\"; memory 0.3;").memory(), 0.3);
+}
+
+
+TEST(misfitChannel, aSensorThatShowsNoChangeIsToldOf)
+{
+    // The uncertainty is 2
+    const auto said = [](const std::string& numbers)
+    {
+        files f;
+        f.write("S1.csv", "t_s,p_Pa\n" + numbers);
+        return saidDuring([&]() { make(f, "file \"S1.csv\";"); });
+    };
+    const std::string words
+    (
+        "Channel S1 does not change by more than its uncertainty"
+    );
+    expectSays(said("0,7\n1,7\n2,7\n"), words);
+    expectSays(said("0,7\n1,8\n2,7.5\n"), words);
+    EXPECT_EQ(said("0,7\n1,10\n2,9\n"), "");
+
+    const files f;
+    EXPECT_EQ(saidDuring([&]() { make(f, "value 3; unit Pa;"); }), "");
+}
+
+
+TEST(misfitChannel, listsAreToldInPlainWords)
+{
+    const std::string good("t_s,p_Pa\n0,1\n1,2\n2,3\n");
+    expectSays(refusal("t,p_Pa\n0,1\n1,2\n2,3\n"), "Units of time: h min ms s");
+    expectSays(refusal("t_s,p_mm\n0,1\n1,2\n2,3\n"), "Valid units: MPa Pa bar");
+    expectSays(refusal("t_s,p_Pa\n0,1\n1\n2,3\n"), "columns: \"t_s\" \"p_Pa\"");
+    expectSays
+    (
+        refusal(good, "file \"S1.csv\"; column q;"),
+        "Its columns: \"t_s\" \"p_Pa\""
+    );
+    expectSays(refusal("t_s\n0\n1\n"), "one column only: \"t_s\"");
+}
+
+
+TEST(misfitChannel, aMissingUnitIsRefused)
+{
+    expectSays(refusal("t_s,p\n0,1\n1,2\n2,3\n"), "has no known unit");
+    expectSays(refusal("t,p_Pa\n0,1\n1,2\n2,3\n"), "Units of time");
+}
+
+
+TEST(misfitChannel, aWrongUnitIsRefused)
+{
+    expectSays(refusal("t_s,p_mm\n0,1\n1,2\n2,3\n"), "no unit of pressure");
+    expectSays(refusal("t_s,p_mm\n0,1\n1,2\n2,3\n"), "kPa");
+    expectSays
+    (
+        refusal("t_s,p_Pa\n0,1\n1,2\n2,3\n", "file \"S1.csv\"; unit kPa;"),
+        "Remove one of them"
+    );
+}
+
+
+TEST(misfitChannel, whatIsNoFiniteNumberIsRefusedWithItsLine)
+{
+    for (const char* bad : {"nan", "inf", "1e999", "1.2.3", "", "12 Pa"})
+    {
+        const std::string said
+        (
+            refusal(std::string("t_s,p_Pa\n0,1\n1,") + bad + "\n2,3\n")
+        );
+        expectSays(said, "Line 3 of");
+        expectSays(said, "no finite number");
+    }
+    expectSays(refusal("t_s,p_Pa\n0,1\n1\n2,3\n"), "has 1 cells for 2 columns");
+}
+
+
+TEST(misfitChannel, aFileWithoutNamesOrNumbersIsRefused)
+{
+    expectSays(refusal("0,1\n1,2\n"), "no line of column names");
+    expectSays(refusal("t_s,p_Pa\n"), "holds no numbers");
+    expectSays(refusal("", "file \"none.csv\";"), "There is no file");
+    expectSays
+    (
+        refusal("t_s,p_Pa\n0,1\n", "file \"S1.csv\"; column q;"),
+        "has no column \"q\""
+    );
+}
+
+
+TEST(misfitChannel, aVariableInTheNameMustBeSetOrHaveADefault)
+{
+    const std::string text("t_s,p_Pa\n0,1\n1,2\n2,5\n3,6\n");
+    expectSays(refusal(text, "file \"$NOT_SET/S1.csv\";"), "export NOT_SET=");
+    expectSays(refusal(text, "file \"${HOME}${NOT_SET}/S1.csv\";"), "export NOT_SET=");
+
+    files f;
+    f.write("S1.csv", text);
+    const std::string folder("${NOT_SET:-" + f.folder() + "}");
+    EXPECT_EQ(make(f, "file \"" + folder + "/S1.csv\";").size(), 4);
+}
+
+
+TEST(misfitChannel, unsortedTimesAreRefused)
+{
+    expectSays(refusal("t_s,p_Pa\n0,1\n2,2\n1,3\n"), "Line 4 of");
+    expectSays(refusal("t_s,p_Pa\n0,1\n2,2\n1,3\n"), "Sort the file");
+}
+
+
+TEST(misfitChannel, duplicateTimesAreRefusedOrAveraged)
+{
+    const std::string text("t_s,p_Pa\n0,1\n1,2\n1,4\n2,5\n3,6\n");
+    expectSays(refusal(text), "duplicates average;");
+
+    files f;
+    f.write("S1.csv", text);
+    const channel c(make(f, "file \"S1.csv\"; duplicates average;"));
+    ASSERT_EQ(c.size(), 4);
+    EXPECT_EQ(c.sampled()[1], 3);
+}
+
+
+TEST(misfitChannel, anUnknownKeyOrQuantityIsRefused)
+{
+    expectSays(refusal("", "filee \"S1.csv\";"), "filee");
+    files f;
+    IStringStream is
+    (
+        "quantity stress; uncertainty 1; simulated { type probe; }"
+    );
+    try
+    {
+        channel("S1", dictionary(is), purpose::fit, f.folder(), 40);
+        ADD_FAILURE();
+    }
+    catch (const Foam::error& e)
+    {
+        expectSays(e.message(), "Valid quantities");
+    }
+}
