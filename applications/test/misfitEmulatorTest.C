@@ -26,7 +26,14 @@ runState at(const scalar p, const scalar s, const word& resolution = "base")
 }
 
 
-//- Quadratic in both; a finer mesh adds 0.25
+runState packed(runState state, const label packing)
+{
+    state.packing = packing;
+    return state;
+}
+
+
+//- Quadratic in both; a finer mesh adds 0.25, each packing 0.1 more
 prediction truth(const runState& state)
 {
     const scalar p = state.parameters["p"];
@@ -40,7 +47,7 @@ prediction truth(const runState& state)
         run.channels[0].y.append
         (
             1 + p*t + s + 0.5*p*p + 2*s*s*t
-          + (state.resolution == "mesh" ? 0.25 : 0)
+          + (state.resolution == "mesh" ? 0.25 : 0) + 0.1*state.packing
         );
     }
     return run;
@@ -52,7 +59,8 @@ emulatedPredictor bank()
     List<runState> states
     ({
         at(0, 0), at(-1, 0), at(1, 0), at(0, 0.5), at(0, 1), at(1, 1),
-        at(-1, 0.5), at(0.5, 0.3), at(0, 0, "mesh")
+        at(-1, 0.5), at(0.5, 0.3), at(0, 0, "mesh"),
+        packed(at(0, 0), 2)
     });
     List<prediction> runs;
     for (const runState& s : states)
@@ -100,6 +108,26 @@ TEST(misfitEmulator, aFinerMeshIsTheDifferenceThatTheBankHasOfIt)
     EXPECT_NEAR
     (
         p.channels[0](0.5), truth(at(0.7, 0)).channels[0](0.5) + 0.25, 1e-9
+    );
+}
+
+
+TEST(misfitEmulator, anotherPackingIsTheDifferenceThatTheBankHasOfIt)
+{
+    emulatedPredictor emulate(bank());
+    const runState s(at(0.7, 0.4));
+    const scalar first = truth(s).channels[0](0.5);
+    const auto given = [&](const label packing)
+    {
+        return emulate.predict({packed(s, packing)})[0].channels[0](0.5);
+    };
+    EXPECT_NEAR(given(2), first + 0.2, 1e-9);
+    EXPECT_NEAR(given(1), first, 1e-9) << "a packing that it has not";
+    EXPECT_NEAR
+    (
+        emulate.predict({packed(at(0.7, 0.4, "mesh"), 2)})[0].channels[0](0.5),
+        first + 0.25 + 0.2,
+        1e-9
     );
 }
 

@@ -341,6 +341,12 @@ TEST(misfitGates, theMisfitIsMovedInTimeOnlyWhereNoHeldOutDataConfirmTheAnswer)
     worldSampler without(truth(0, 0.7), 200, vec());
     without.holdNothingOut();
     worldSampler third(truth(1, 0.8), 3060, vec());
+
+    // B confirms it, the one behind it does not
+    worldSampler refuted(truth(0, 0.7), 200, vec());
+    refuted.addContradiction();
+    EXPECT_TRUE(isMoved(diagnose(refuted)));
+
     EXPECT_FALSE(isMoved(diagnose(with)));
     EXPECT_TRUE(isMoved(diagnose(without)));
     EXPECT_TRUE(isMoved(diagnose(third)));

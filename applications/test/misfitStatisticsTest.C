@@ -195,6 +195,16 @@ TEST(misfitCovariance, itsSourcesMakeUpTheWhole)
 }
 
 
+TEST(misfitCovariance, whatStandsStillHasNoUncertaintyOfTheStartOfTime)
+{
+    const stacked data(oneChannel(40, 0));
+    const vec still = vec::Constant(40, 5);
+    const List<uncertaintySource> sources(covariance(data, 0.02).sources(still));
+    EXPECT_EQ(sources[1].first(), "start of time");
+    EXPECT_EQ(sources[1].second().maxCoeff(), 0);
+}
+
+
 TEST(misfitCovariance, twentyPackingsGiveItsSizeAndMemory)
 {
     std::mt19937 generator(3);

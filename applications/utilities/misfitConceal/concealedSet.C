@@ -3,6 +3,7 @@
 
 #include "concealedSet.H"
 #include "bankFile.H"
+#include "caseChange.H"
 #include "diagnosis.H"
 
 #include "IFstream.H"
@@ -56,8 +57,8 @@ public:
 };
 
 
-//- The random states of a bank in all experiments, and other resolutions in those
-//  that decide
+//- The random states of a bank in all experiments, and in those that decide other
+//  resolutions and, unless the side has one of its own, packings
 List<runState> bankStates
 (
     const settings& set,
@@ -85,7 +86,7 @@ List<runState> bankStates
     {
         for (runState s : stages[0].second())
         {
-            if (s.resolution != "base")
+            if (s.resolution != "base" || (s.packing && !packing))
             {
                 s.experiment = e;
                 states.append(s);
@@ -140,19 +141,29 @@ Foam::misfit::concealedSide::concealedSide
     wordList deciding(bare_.experiments(purpose::fit));
     deciding.append(bare_.experiments(purpose::gate));
     states_ = bankStates(set, bare_.experiments(), deciding, packing(side));
-    List<runState> states(states_);
-    const List<prediction> all(runs(banks/side + ".txt", states));
-    forAll(states, i)
+    const List<prediction> all(runs(banks/side + ".txt", states_));
+    forAll(states_, i)
     {
         if (all[i].ok())
         {
-            known_.insert(told(states[i]), all[i]);
+            known_.insert(told(states_[i]), all[i]);
         }
-        states[i].packing = 0;
     }
     bank_.reset
     (
-        new emulatedPredictor(set.parameters, set.candidates, states, all)
+        new emulatedPredictor(set.parameters, set.candidates, states_, all)
+    );
+}
+
+
+bool Foam::misfit::concealedSide::hasPackings() const
+{
+    const List<caseChange> changes(readChanges(dict_, "packing"));
+    return std::any_of
+    (
+        changes.begin(),
+        changes.end(),
+        [](const caseChange& c) { return !c.isFixed(); }
     );
 }
 

@@ -91,7 +91,12 @@ json keyOf(const concealedCase& c, const word& name)
 
 
 //- The states that a case needs: all experiments, and A without what is concealed
-List<runState> statesOf(const concealedCase& c, const wordList& experiments)
+List<runState> statesOf
+(
+    const concealedCase& c,
+    const wordList& experiments,
+    const label packing
+)
 {
     List<runState> states;
     for (const word& e : experiments)
@@ -103,7 +108,7 @@ List<runState> statesOf(const concealedCase& c, const wordList& experiments)
     states.last().strengths.clear();
     for (runState& s : states)
     {
-        s.packing = concealedSide::packing("truth");
+        s.packing = packing;
     }
     return states;
 }
@@ -162,7 +167,9 @@ void Foam::misfit::makeCases
     for (concealedCase& c : cases)
     {
         c = lots.draw();
-        states.append(statesOf(c, all.experiments()));
+        const label packing = concealedSide::packing("truth")
+          + (truth.hasPackings() ? label(&c - cases.begin()) : 0);
+        states.append(statesOf(c, all.experiments(), packing));
     }
     const List<prediction> given(truth.predict(states));
     const label each = all.experiments().size() + 1;

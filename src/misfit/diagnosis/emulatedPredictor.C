@@ -23,6 +23,28 @@ Foam::misfit::emulatedPredictor::variables(const runState& s) const
 }
 
 
+bool Foam::misfit::emulatedPredictor::isOfSurface(const label run) const
+{
+    const runState& s = states_[run];
+    return runs_[run].ok() && s.resolution == "base"
+     && s.packing == states_.first().packing;
+}
+
+
+bool Foam::misfit::emulatedPredictor::isVariantOf
+(
+    const label run,
+    const runState& s
+) const
+{
+    const runState& r = states_[run];
+    return runs_[run].ok() && !isOfSurface(run)
+     && r.experiment == s.experiment
+     && (r.resolution == "base" || r.resolution == s.resolution)
+     && (r.packing == states_.first().packing || r.packing == s.packing);
+}
+
+
 Foam::misfit::vec Foam::misfit::emulatedPredictor::onGrids
 (
     const emulator& e,
@@ -49,10 +71,7 @@ Foam::misfit::emulatedPredictor::build(const word& experiment) const
     mat y;
     forAll(states_, i)
     {
-        const bool counts =
-            states_[i].experiment == experiment && runs_[i].ok()
-         && states_[i].resolution == "base";
-        if (!counts)
+        if (states_[i].experiment != experiment || !isOfSurface(i))
         {
             continue;
         }
@@ -106,20 +125,11 @@ Foam::misfit::emulatedPredictor::emulated(const runState& s) const
     const emulator& e = *emulators_[s.experiment];
     vec y = (*e.surface)(variables(s));
 
-    if (s.resolution != "base")
+    forAll(states_, i)
     {
-        forAll(states_, i)
+        if (isVariantOf(i, s))
         {
-            if
-            (
-                states_[i].experiment == s.experiment && runs_[i].ok()
-             && states_[i].resolution == s.resolution
-            )
-            {
-                y +=
-                    onGrids(e, runs_[i])
-                  - (*e.surface)(variables(states_[i]));
-            }
+            y += onGrids(e, runs_[i]) - (*e.surface)(variables(states_[i]));
         }
     }
 
@@ -181,10 +191,8 @@ Foam::misfit::emulatedPredictor::predict(const List<runState>& states)
     List<prediction> all(states.size());
     forAll(states, i)
     {
-        runState s(states[i]);
-        s.packing = 0;
-        const string name(told(s));
-        all[i] = known_.found(name) ? runs_[known_[name]] : emulated(s);
+        const auto known = known_.cfind(told(states[i]));
+        all[i] = known.found() ? runs_[known.val()] : emulated(states[i]);
     }
     return all;
 }
@@ -196,14 +204,9 @@ Foam::misfit::emulatedPredictor::bank(const word& experiment) const
     List<runState> some;
     forAll(states_, i)
     {
-        const runState& s = states_[i];
-        if
-        (
-            s.experiment == experiment && s.resolution == "base"
-         && runs_[i].ok()
-        )
+        if (states_[i].experiment == experiment && isOfSurface(i))
         {
-            some.append(s);
+            some.append(states_[i]);
         }
     }
     return some;
