@@ -153,14 +153,19 @@ public:
         }
     }
 
-    //- Two grains along x, with a force [N] outwards on each that rises to its full
-    //  value in half of the time [s]
-    void pullApart(const scalar force, const scalar duration)
+    //- Two grains along x, with a force [N] outwards on each that rises to its
+    //  full value in that share of the time [s]
+    void pullApart
+    (
+        const scalar force,
+        const scalar duration,
+        const scalar rise
+    )
     {
         const label n = round(duration/grains_->exchangeInterval());
         for (label i = 0; i < n; ++i)
         {
-            const scalar now = force*min(1, 2*scalar(i)/n);
+            const scalar now = force*min(1, (i + 1)/(rise*n + 1));
             const UList<vector>& at = grains_->position();
             const scalar sign = at[0].x() < at[1].x() ? 1 : -1;
             const vectorField forces({{-sign*now, 0, 0}, {sign*now, 0, 0}});
@@ -171,11 +176,11 @@ public:
 };
 
 
-//- A ball that rolls at 0.5 m/s along x, from x = 0.1 m, pressed into the floor
-//  by its weight
+//- A ball that rolls at 0.5 m/s along x, from x = 0.1 m, as deep in the floor as
+//  its weight presses it
 const std::string rollingBall = initially
 (
-    "create_atoms 1 single 0.1 0.5 0.0099975 units box\n"
+    "create_atoms 1 single 0.1 0.5 0.009973 units box\n"
     "velocity all set 0.5 0 0 units box\n"
     "set atom 1 omegay 50\n"
 );
@@ -265,6 +270,29 @@ TEST(rollingResistance, aBallStaysWhereItsSpeedIsSpent)
 }
 
 
+TEST(rollingResistance, betweenTwoGrainsTheCoupleIsCoefficientForceAndHalfTheRadius)
+{
+    // They turn against each other like gears, pressed together with 1 N
+    const std::string gears = initially
+    (
+        "create_atoms 1 single 0.5 0.5 0.1 units box\n"
+        "create_atoms 1 single 0.519845 0.5 0.1 units box\n"
+        "set atom 1 omegaz 200\nset atom 2 omegaz -200\n"
+    );
+    boxOfGrains two(gears, withRolling(), Zero, rollingChange, 1);
+    two.pullApart(-1, 0.02, 0);
+
+    const scalar R = 0.5*diameter;
+    const scalar inertia = 0.4*two.grains().mass()[0]*sqr(R);
+    const scalar slowed = 0.3*1*0.5*R/inertia*0.02;
+    for (const vector& omega : two.grains().angularVelocity())
+    {
+        testNumber("spin [rad/s]", mag(omega.z()));
+        EXPECT_NEAR(mag(omega.z()), 200 - slowed, 0.02*slowed);
+    }
+}
+
+
 TEST(cohesion, withoutStrengthGrainsActAsWithoutTheModel)
 {
     boxOfGrains without(touching, contacts("", ""), Zero);
@@ -300,8 +328,8 @@ TEST(cohesion, holdsUntilItsClosedFormAndNoFurther)
 {
     boxOfGrains two(touching, withCohesion(), Zero, cohesionChange, 1);
     two.advance(0.2);
-    two.pullApart(0.9*greatestPull(1e5), 0.4);
+    two.pullApart(0.9*greatestPull(1e5), 0.4, 0.5);
     EXPECT_LT(distance(two), diameter);
-    two.pullApart(1.1*greatestPull(1e5), 0.4);
+    two.pullApart(1.1*greatestPull(1e5), 0.4, 0.5);
     EXPECT_GT(distance(two), diameter);
 }

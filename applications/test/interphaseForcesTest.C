@@ -163,7 +163,8 @@ string laws(const word& drag)
 {
     return
         "drag { model " + drag + "; } lift { model SaffmanMei; }"
-        " virtualMass { model Zuber; } viscousForce { strength 1; }";
+        " virtualMass { model Zuber; } viscousForce { strength 1; }"
+        " rotationalDrag { model Dennis; }";
 }
 
 
@@ -299,6 +300,8 @@ TEST(interphaseForces, aFluidWithoutViscosityStillHasForces)
         const whole none(inOneCell(3, 0.01, 1, laws(drag), 0));
         const whole thin(inOneCell(3, 0.01, 1, laws(drag), 1e-12));
         EXPECT_GT(none.dragCoefficient, 0) << drag;
+        EXPECT_LT(mag(none.force), GREAT) << drag;
+        EXPECT_LT(mag(none.angularAcceleration), GREAT) << drag;
         EXPECT_NEAR(none.dragCoefficient/thin.dragCoefficient, 1, 0.01) << drag;
         EXPECT_LT(none.residual, 1e-12) << drag;
     }

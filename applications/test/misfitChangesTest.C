@@ -28,7 +28,7 @@ TEST(misfitChanges, anEntryIsChangedAndIncludesStay)
     const fakeCase c;
     change("file \"system/controlDict\"; entry endTime; scale 2; offset 1;")
         .apply(c.folder(), 3);
-    const std::string text(content(c.folder()/"system/controlDict"));
+    const std::string text(contentOf(c.folder()/"system/controlDict"));
     EXPECT_NE(text.find("#include"), std::string::npos) << text;
     EXPECT_NE(text.find("\"more\""), std::string::npos) << text;
 
@@ -45,7 +45,7 @@ TEST(misfitChanges, aVariableOfAScriptIsChanged)
     change("file \"constant/script\"; variable mu;").apply(c.folder(), 0.25);
     EXPECT_EQ
     (
-        content(c.folder()/"constant/script"),
+        contentOf(c.folder()/"constant/script"),
         "variable mu equal 0.25\nfix 1 mu ${mu}\n"
     );
 }

@@ -15,6 +15,7 @@
 
 using namespace Foam;
 using namespace Foam::misfit;
+using namespace Foam::recorded;
 
 namespace
 {

@@ -132,6 +132,40 @@ TEST(misfitEmulator, anotherPackingIsTheDifferenceThatTheBankHasOfIt)
 }
 
 
+TEST(misfitEmulator, aPackingThatFailedInTheBankFails)
+{
+    List<runState> states({at(0, 0), at(-1, 0), at(1, 0), packed(at(0, 0), 1)});
+    List<prediction> runs;
+    for (const runState& s : states)
+    {
+        runs.append(truth(s));
+    }
+    runs.last().failure = "it exploded";
+    emulatedPredictor emulate({{"p", {}, 0, 1, -3, 3}}, {}, states, runs);
+    EXPECT_EQ(emulate.predict({states.last()})[0].failure, "it exploded");
+    EXPECT_EQ(emulate.bank("A").size(), 3);
+}
+
+
+TEST(misfitEmulator, theSurfaceIsOfTheFirstPacking)
+{
+    List<runState> states;
+    List<prediction> runs;
+    for (const scalar p : {0.0, -1.0, 1.0, 0.5})
+    {
+        states.append(packed(at(p, 0), 1));
+        runs.append(truth(states.last()));
+    }
+    emulatedPredictor emulate({{"p", {}, 0, 1, -3, 3}}, {}, states, runs);
+    const runState s(packed(at(0.7, 0), 1));
+    EXPECT_NEAR
+    (
+        emulate.predict({s})[0].channels[0](0.5), truth(s).channels[0](0.5), 1e-9
+    );
+    EXPECT_EQ(emulate.bank("A").size(), 4);
+}
+
+
 TEST(misfitEmulator, anExperimentThatItHasNotIsAFailure)
 {
     emulatedPredictor emulate(bank());

@@ -161,7 +161,7 @@ TEST(misfitObservers, otherWaterInAnotherMeshIsToldOfOnce)
     c.write
     (
         "system/solver",
-        content(c.folder()/"system/solver")
+        contentOf(c.folder()/"system/solver")
       + "water=$(tr -dc '0-9.' < constant/water)\n"
         "echo \"Phase-1 volume fraction = $water  Min(alpha.water) = 0\"\n"
         "echo \"Phase-1 volume fraction = 0.2  Min(alpha.water) = 0\"\n"
@@ -226,7 +226,7 @@ TEST(misfitObservers, aRehearsalLeavesTheCaseAsItIs)
         std::string text;
         for (const char* f : {"constant/model", "constant/script", "system/controlDict"})
         {
-            text += content(c.folder()/f);
+            text += contentOf(c.folder()/f);
         }
         return text;
     };

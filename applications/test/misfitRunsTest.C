@@ -4,7 +4,6 @@
 
 #include "fakeCase.H"
 #include "saidDuring.H"
-#include "testMesh.H"
 
 #include <gtest/gtest.h>
 
@@ -100,7 +99,7 @@ TEST(misfitRuns, aCaseIsCutAsItSaysItself)
         const fileName runs(c.folder()/"misfit"/"runs");
         const std::string cut
         (
-            content
+            contentOf
             (
                 runs/readDir(runs, fileName::DIRECTORY).first()
                /"case/system/decomposeParDict"
@@ -233,7 +232,7 @@ TEST(misfitRuns, aRunWhoseEndIsEmptyOrMissingDidNotGoWell)
 TEST(misfitRuns, aCaseThatIsEditedMeanwhileIsNotRun)
 {
     const fakeCase c;
-    const std::string before(content(c.folder()/"constant/script"));
+    const std::string before(contentOf(c.folder()/"constant/script"));
     {
         fakePredictor f(c);
         f({withSlope(2)});
@@ -339,7 +338,7 @@ TEST(misfitRuns, theCaseOfAStateIsMadeForAPerson)
     mkDir(target);
     c.write("misfit/corrected/old", "");
     predict.predict.makeCase(withSlope(3, 0.5), target);
-    const std::string model(content(target/"constant/model"));
+    const std::string model(contentOf(target/"constant/model"));
     EXPECT_NE(model.find("strength        0.5;"), std::string::npos) << model;
     EXPECT_TRUE(isFile(target/"0/U"));
     EXPECT_FALSE(isFile(target/"old"));

@@ -164,12 +164,12 @@ void Foam::misfit::makeCases
     drawing lots(truth.dict(), truth.outside(), fittedChannels(all), key["seed"]);
     List<concealedCase> cases(n);
     List<runState> states;
-    for (concealedCase& c : cases)
+    const label own = truth.hasPackings();
+    forAll(cases, i)
     {
-        c = lots.draw();
-        const label packing = concealedSide::packing("truth")
-          + (truth.hasPackings() ? label(&c - cases.begin()) : 0);
-        states.append(statesOf(c, all.experiments(), packing));
+        cases[i] = lots.draw();
+        const label packing = concealedSide::packing("truth") + own*i;
+        states.append(statesOf(cases[i], all.experiments(), packing));
     }
     const List<prediction> given(truth.predict(states));
     const label each = all.experiments().size() + 1;

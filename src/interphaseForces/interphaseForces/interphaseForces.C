@@ -235,7 +235,8 @@ void Foam::interphaseForces::setForce
         vorticity,
         fluid.number(fluidAtGrain::rho),
 
-        // None at all where HerschelBulkley has no yield stress and rests
+        // OpenFOAM's HerschelBulkley has none at all where it rests and has no
+        // yield stress; its limit there is nu0 or k, but this only avoids 0/0
         max(fluid.number(fluidAtGrain::mu), SMALL),
         fluid.number(fluidAtGrain::voidFraction),
         dSauter/coarseGraining_

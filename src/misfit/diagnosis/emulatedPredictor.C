@@ -23,11 +23,10 @@ Foam::misfit::emulatedPredictor::variables(const runState& s) const
 }
 
 
-bool Foam::misfit::emulatedPredictor::isOfSurface(const label run) const
+bool Foam::misfit::emulatedPredictor::isVariant(const label run) const
 {
     const runState& s = states_[run];
-    return runs_[run].ok() && s.resolution == "base"
-     && s.packing == states_.first().packing;
+    return s.resolution != "base" || s.packing != states_.first().packing;
 }
 
 
@@ -38,7 +37,7 @@ bool Foam::misfit::emulatedPredictor::isVariantOf
 ) const
 {
     const runState& r = states_[run];
-    return runs_[run].ok() && !isOfSurface(run)
+    return runs_[run].ok() && isVariant(run)
      && r.experiment == s.experiment
      && (r.resolution == "base" || r.resolution == s.resolution)
      && (r.packing == states_.first().packing || r.packing == s.packing);
@@ -71,7 +70,11 @@ Foam::misfit::emulatedPredictor::build(const word& experiment) const
     mat y;
     forAll(states_, i)
     {
-        if (states_[i].experiment != experiment || !isOfSurface(i))
+        if
+        (
+            states_[i].experiment != experiment || !runs_[i].ok()
+         || isVariant(i)
+        )
         {
             continue;
         }
@@ -167,9 +170,13 @@ Foam::misfit::emulatedPredictor::emulatedPredictor
 {
     forAll(states, i)
     {
-        if (runs[i].ok())
+        // That another packing or resolution failed must not stay unsaid
+        if (runs[i].ok() || isVariant(i))
         {
             known_.insert(told(states[i]), i);
+        }
+        if (runs[i].ok())
+        {
             if (!emulators_.found(states[i].experiment))
             {
                 emulators_.set
@@ -204,7 +211,11 @@ Foam::misfit::emulatedPredictor::bank(const word& experiment) const
     List<runState> some;
     forAll(states_, i)
     {
-        if (states_[i].experiment == experiment && isOfSurface(i))
+        if
+        (
+            states_[i].experiment == experiment && runs_[i].ok()
+         && !isVariant(i)
+        )
         {
             some.append(states_[i]);
         }
