@@ -34,8 +34,11 @@ MPI_LIBS := $(shell mpicxx --showme:link)
 GRAINS_INC = -isystem /usr/include/liggghts
 GRAINS_LIBS = -lliggghts
 
-# GCC 12 takes its own AVX-512 header for a cause of uninitialised numbers
-EIGEN_INC = -isystem /usr/include/eigen3 -Wno-maybe-uninitialized
+# GCC 12 takes its own AVX-512 header for a cause of uninitialised numbers. With
+# AVX-512, Eigen's fast root of zero is infinity times zero on the way, at which
+# OpenFOAM's trap stops the program
+EIGEN_INC = -isystem /usr/include/eigen3 -DEIGEN_FAST_MATH=0 \
+    -Wno-maybe-uninitialized
 
 # OpenFOAM's headers do not change: only ours are looked at for dependencies
 WMKDEP_FLAGS += -q
