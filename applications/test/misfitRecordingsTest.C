@@ -9,8 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 using namespace Foam;
 using namespace Foam::misfit;
 using namespace Foam::recorded;
@@ -26,15 +24,10 @@ std::string refusalOfAll(const std::string& entries, const label unknowns = 0)
     f.write("b.csv", "t_s,p_Pa\n0,1\n1,3\n2,4\n");
     IStringStream is(entries);
     const dictionary dict(is);
-    try
-    {
-        recordings(dict, f.folder()).checkEnough(dict, unknowns);
-    }
-    catch (const Foam::error& e)
-    {
-        return e.message();
-    }
-    return "nothing";
+    return refusal
+    (
+        [&]() { recordings(dict, f.folder()).checkEnough(dict, unknowns); }
+    );
 }
 
 

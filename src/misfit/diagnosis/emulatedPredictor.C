@@ -30,6 +30,18 @@ bool Foam::misfit::emulatedPredictor::isVariant(const label run) const
 }
 
 
+bool Foam::misfit::emulatedPredictor::makesSurface
+(
+    const label run,
+    const word& experiment
+) const
+{
+    return
+        states_[run].experiment == experiment && runs_[run].ok()
+     && !isVariant(run);
+}
+
+
 bool Foam::misfit::emulatedPredictor::isVariantOf
 (
     const label run,
@@ -70,11 +82,7 @@ Foam::misfit::emulatedPredictor::build(const word& experiment) const
     mat y;
     forAll(states_, i)
     {
-        if
-        (
-            states_[i].experiment != experiment || !runs_[i].ok()
-         || isVariant(i)
-        )
+        if (!makesSurface(i, experiment))
         {
             continue;
         }
@@ -211,11 +219,7 @@ Foam::misfit::emulatedPredictor::bank(const word& experiment) const
     List<runState> some;
     forAll(states_, i)
     {
-        if
-        (
-            states_[i].experiment == experiment && runs_[i].ok()
-         && !isVariant(i)
-        )
+        if (makesSurface(i, experiment))
         {
             some.append(states_[i]);
         }
