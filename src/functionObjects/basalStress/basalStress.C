@@ -310,17 +310,11 @@ Foam::functionObjects::basalStress::stresses() const
 }
 
 
-bool Foam::functionObjects::basalStress::execute()
-{
-    return true;
-}
-
-
-bool Foam::functionObjects::basalStress::write()
+void Foam::functionObjects::basalStress::report()
 {
     if (passOver({pName_, alphaName_, voidFractionName_}))
     {
-        return true;
+        return;
     }
 
     const List<scalarList> lines(stresses());
@@ -332,6 +326,4 @@ bool Foam::functionObjects::basalStress::write()
             writeLine(file(), line);
         }
     }
-
-    return true;
 }

@@ -242,10 +242,9 @@ Foam::functionObjects::bedErosion::carried(const bedGrains& bed) const
 }
 
 
-bool Foam::functionObjects::bedErosion::execute()
+bool Foam::functionObjects::bedErosion::look()
 {
     const bedGrains grains(bed());
-    line_.clear();
 
     if
     (
@@ -255,7 +254,7 @@ bool Foam::functionObjects::bedErosion::execute()
     {
         Info<< type() << " " << name() << ": time " << mesh_.time().timeName()
             << " is passed over, it has no grains of the bed" << endl;
-        return true;
+        return false;
     }
 
     refer(grains);

@@ -188,13 +188,8 @@ void Foam::functionObjects::bedErosion::writeVelocities
 }
 
 
-bool Foam::functionObjects::bedErosion::write()
+void Foam::functionObjects::bedErosion::report()
 {
-    if (line_.empty())
-    {
-        return true;
-    }
-
     if (writes())
     {
         writeLine(file(), line_);
@@ -210,6 +205,4 @@ bool Foam::functionObjects::bedErosion::write()
         writePlanView(grains);
         writeVelocities(grains);
     }
-
-    return true;
 }

@@ -177,7 +177,7 @@ Foam::scalar Foam::functionObjects::collisionLoad::meanOverGrains
 }
 
 
-bool Foam::functionObjects::collisionLoad::execute()
+bool Foam::functionObjects::collisionLoad::look()
 {
     if (mass_ <= 0 && surgeFront_.size())
     {
@@ -232,13 +232,11 @@ bool Foam::functionObjects::collisionLoad::execute()
 }
 
 
-bool Foam::functionObjects::collisionLoad::write()
+void Foam::functionObjects::collisionLoad::report()
 {
     if (writes())
     {
         writeLine(file(), line_);
         writeSummary();
     }
-
-    return true;
 }

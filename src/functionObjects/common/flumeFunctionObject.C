@@ -48,6 +48,8 @@ Foam::functionObjects::flumeFunctionObject::flumeFunctionObject
 :
     fvMeshFunctionObject(name, runTime, dict),
     writeFile(mesh_, name, fileName, dict),
+    lookedAt_(-GREAT),
+    seen_(false),
     rhoWater_(0)
 {}
 
@@ -368,4 +370,26 @@ Foam::sampleSeries Foam::functionObjects::flumeFunctionObject::keptSeries
     }
 
     return sampleSeries(times, values);
+}
+
+
+bool Foam::functionObjects::flumeFunctionObject::execute()
+{
+    seen_ = look();
+    lookedAt_ = now();
+    return true;
+}
+
+
+bool Foam::functionObjects::flumeFunctionObject::write()
+{
+    if (lookedAt_ != now())
+    {
+        execute();
+    }
+    if (seen_)
+    {
+        report();
+    }
+    return true;
 }

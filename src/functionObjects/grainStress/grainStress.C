@@ -196,13 +196,7 @@ Foam::scalarList Foam::functionObjects::grainStress::values
 }
 
 
-bool Foam::functionObjects::grainStress::execute()
-{
-    return true;
-}
-
-
-bool Foam::functionObjects::grainStress::write()
+void Foam::functionObjects::grainStress::report()
 {
     scalarList line;
 
@@ -215,6 +209,4 @@ bool Foam::functionObjects::grainStress::write()
     {
         writeLine(file(), line);
     }
-
-    return true;
 }

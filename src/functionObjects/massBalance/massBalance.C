@@ -31,8 +31,7 @@ Foam::functionObjects::massBalance::massBalance
     enteredBefore_(0),
     leftBefore_(0),
     lastIndex_(-1),
-    begun_(false),
-    passedOver_(false)
+    begun_(false)
 {
     read(dict);
 
@@ -166,13 +165,11 @@ Foam::functionObjects::massBalance::grainCount() const
 }
 
 
-bool Foam::functionObjects::massBalance::execute()
+bool Foam::functionObjects::massBalance::look()
 {
-    passedOver_ = passOver({alphaName_, voidFractionName_});
-
-    if (passedOver_)
+    if (passOver({alphaName_, voidFractionName_}))
     {
-        return true;
+        return false;
     }
 
     if (functionObject::postProcess)
@@ -225,13 +222,8 @@ bool Foam::functionObjects::massBalance::execute()
 }
 
 
-bool Foam::functionObjects::massBalance::write()
+void Foam::functionObjects::massBalance::report()
 {
-    if (passedOver_)
-    {
-        return true;
-    }
-
     const scalar volume = gSum(waterVolume()());
     const FixedList<scalar, 4> n(grainCount());
 
@@ -255,6 +247,4 @@ bool Foam::functionObjects::massBalance::write()
             ({volume, outflow_, error, n[0], n[1], n[2], n[3], missing})
         );
     }
-
-    return true;
 }

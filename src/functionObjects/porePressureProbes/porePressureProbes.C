@@ -292,13 +292,11 @@ Foam::functionObjects::porePressureProbes::grainStress() const
 }
 
 
-bool Foam::functionObjects::porePressureProbes::execute()
+bool Foam::functionObjects::porePressureProbes::look()
 {
-    line_.clear();
-
     if (passOver({pName_, alphaName_}))
     {
-        return true;
+        return false;
     }
 
     const tmp<volScalarField> tp(field<volScalarField>(pName_));
@@ -309,6 +307,7 @@ bool Foam::functionObjects::porePressureProbes::execute()
     const scalarList fromGrains(grainStress());
     const scalar rhoG = rhoWater()*mag(gravity());
 
+    line_.clear();
     forAll(probes_, i)
     {
         const scalar level = columns_[i].integral(talpha());
@@ -337,13 +336,11 @@ bool Foam::functionObjects::porePressureProbes::execute()
 }
 
 
-bool Foam::functionObjects::porePressureProbes::write()
+void Foam::functionObjects::porePressureProbes::report()
 {
-    if (writes() && line_.size())
+    if (writes())
     {
         writeLine(file(), line_);
         writeSummary();
     }
-
-    return true;
 }

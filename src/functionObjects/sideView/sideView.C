@@ -154,13 +154,11 @@ void Foam::functionObjects::sideView::writeCells()
 }
 
 
-bool Foam::functionObjects::sideView::write()
+void Foam::functionObjects::sideView::report()
 {
     if (!passOver({alphaName_, "U"}))
     {
         writeGrains();
         writeCells();
     }
-
-    return true;
 }

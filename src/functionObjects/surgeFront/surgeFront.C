@@ -261,13 +261,11 @@ Foam::functionObjects::surgeFront::overReach() const
 }
 
 
-bool Foam::functionObjects::surgeFront::execute()
+bool Foam::functionObjects::surgeFront::look()
 {
-    line_.clear();
-
     if (passOver({alphaName_, voidFractionName_}))
     {
-        return true;
+        return false;
     }
 
     const labelList chosen(ofTypes(grains(), types_));
@@ -334,13 +332,11 @@ bool Foam::functionObjects::surgeFront::execute()
 }
 
 
-bool Foam::functionObjects::surgeFront::write()
+void Foam::functionObjects::surgeFront::report()
 {
-    if (writes() && line_.size())
+    if (writes())
     {
         writeLine(file(), line_);
         writeSummary();
     }
-
-    return true;
 }

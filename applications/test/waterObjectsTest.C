@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Function objects that look at the water: pore pressure, stress, balance.
+
+#include "basalStress.H"
+#include "massBalance.H"
+#include "porePressureProbes.H"
+#include "tank.H"
+
+using namespace Foam;
+
+
+TEST_F(tank, waterAtRestHasNoExcessPressure)
+{
+    functionObjects::porePressureProbes probes
+    (
+        "probes",
+        box_.time(),
+        dict("probes ((0.45 0.45 0)); patch zMin; radius 0.31;")
+    );
+    probes.execute();
+    probes.write();
+
+    const scalarList line(lastLine("probes", "porePressureProbes"));
+    ASSERT_EQ(line.size(), 7);
+    EXPECT_NEAR(line[1], 4905, 1e-3);
+    EXPECT_NEAR(line[2], 1000*9.81*0.5, 1e-3);
+    EXPECT_NEAR(line[3], 0, 1e-2);
+    EXPECT_NEAR(line[4], 0.5, 1e-6);
+
+    // 29 grains press with 2 N each on the disc
+    const scalar area = constant::mathematical::pi*sqr(0.31);
+    EXPECT_NEAR(line[5] - 4905, 29*2/area, 0.01*29*2/area);
+    EXPECT_NEAR(line[6], 4905/line[5], 1e-5);
+}
+
+
+TEST_F(tank, aPressureWrittenBetweenTwoLooksIsOfItsOwnTime)
+{
+    functionObjects::porePressureProbes probes
+    (
+        "probes", box_.time(), dict("probes ((0.45 0.45 0)); patch zMin;")
+    );
+    probes.execute();
+
+    ++box_.time();
+    p_.boundaryFieldRef() *= 0.5;
+    probes.write();
+
+    const scalarList line(lastLine("probes", "porePressureProbes"));
+    ASSERT_EQ(line.size(), 7);
+    EXPECT_NEAR(line[0], box_.time().value(), 1e-12);
+    EXPECT_NEAR(line[1], 4905/2.0, 1e-3);
+}
+
+
+TEST_F(tank, aProbeFarFromThePatchIsAnError)
+{
+    EXPECT_THROW
+    (
+        functionObjects::porePressureProbes
+        (
+            "probes",
+            box_.time(),
+            dict("probes ((0.4 0.4 0.5)); patch zMin;")
+        ),
+        Foam::IOerror
+    );
+    EXPECT_THROW
+    (
+        functionObjects::porePressureProbes
+        (
+            "probes", box_.time(), dict("probes ((0 0 0)); patch floor;")
+        ),
+        Foam::IOerror
+    );
+}
+
+
+TEST_F(tank, outflowIsCountedInTheWaterBalance)
+{
+    functionObjects::massBalance balance("balance", box_.time(), dict(""));
+
+    // Per step 0.01 s: 0.2 m3/s leave through each of the faces of zMin
+    const label base = box_.mesh().boundaryMesh().findPatchID("zMin");
+    alphaPhi_.boundaryFieldRef()[base] = 0.2;
+    box_.time().setDeltaT(0.01, false);
+
+    const scalar out = 16*0.2*0.01;
+    for (label step = 0; step < 3; ++step)
+    {
+        ++box_.time();
+        alpha_ -= dimensionedScalar(dimless, Zero) + out/0.8;
+        grains_.left += 2;
+        balance.execute();
+    }
+    balance.write();
+
+    const scalarList line(lastLine("balance", "massBalance"));
+    ASSERT_EQ(line.size(), 9);
+    EXPECT_NEAR(line[2], 3*out, 1e-6);
+    EXPECT_NEAR(line[3], 0, 1e-14);
+    EXPECT_EQ(line[7], 6);
+
+    // No grain is gone from the list, so six are too many
+    EXPECT_EQ(line[8], -6);
+}
+
+
+TEST_F(tank, aStepThatTheWaterBalanceMissesIsAnError)
+{
+    functionObjects::massBalance balance("balance", box_.time(), dict(""));
+    ++box_.time();
+    balance.execute();
+    ++box_.time();
+    ++box_.time();
+    EXPECT_THROW(balance.execute(), Foam::error);
+}
+
+
+TEST_F(tank, aCouetteFlowDragsItsWallsAlong)
+{
+    constexpr scalar shear = 20;
+    OFstream(box_.folder()/"constant"/"transportProperties")()
+        << "FoamFile { version 2.0; format ascii; class dictionary;"
+        << " object transportProperties; }\n"
+        << "phases (water air); water { nu 2e-6; rho 1000; }"
+        << " air { nu 1.5e-5; rho 1; }\n";
+
+    // Along x and y, faster with z
+    const fvMesh& mesh = box_.mesh();
+    const vector along(0.6, 0.8, 0);
+    volVectorField U
+    (
+        IOobject("U", box_.time().timeName(), mesh),
+        mesh,
+        dimensionedVector(dimVelocity, Zero),
+        "fixedValue"
+    );
+    U.primitiveFieldRef() = shear*along*mesh.C().component(vector::Z)
+       ().primitiveField();
+    for (fvPatchVectorField& patch : U.boundaryFieldRef())
+    {
+        patch ==
+            shear*along*patch.patch().Cf().component(vector::Z);
+    }
+    for (scalarField& patch : alpha_.boundaryFieldRef())
+    {
+        patch = 0.75;
+    }
+
+    const scalar mu = 0.75*1000*2e-6 + 0.25*1*1.5e-5;
+    const scalar tau = 0.8*mu*shear;
+
+    // The water drags the base along, and holds back the lid
+    label n = 0;
+    for (const word side : {"zMin", "zMax"})
+    {
+        for (const vector& to : {vector(1, 0, 0), vector(-1, 2, 0)})
+        {
+            const word name("stress" + Foam::name(n++));
+            dictionary settings(dict("patches (" + side + "); binWidth 10;"));
+            settings.add("direction", to);
+            functionObjects::basalStress stress(name, box_.time(), settings);
+            stress.write();
+
+            const scalarList line(lastLine(name, "basalStress"));
+            ASSERT_EQ(line.size(), 9);
+            const scalar expected =
+                (side == "zMin" ? tau : -tau)*(along & to)/mag(to);
+            EXPECT_NEAR(line[6]/expected, 1, 1e-5) << side << to.y();
+            EXPECT_NEAR(line[8]/expected, 1, 1e-5) << side << to.y();
+
+            // A hundred grains press on 1 m2 of the base, each with 2 N
+            const scalar grains = side == "zMin" ? 200 : 0;
+            EXPECT_NEAR(line[2], 1, 1e-9);
+            EXPECT_NEAR(line[3], grains, 1e-3);
+            EXPECT_NEAR(line[4], 0, 1e-9);
+            EXPECT_NEAR(line[5], 4905, 1e-3);
+            EXPECT_NEAR(line[7], grains + 4905, 1e-2);
+        }
+    }
+}
