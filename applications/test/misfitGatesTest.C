@@ -122,6 +122,30 @@ TEST(misfitGates, aMatchOfFewSamplesIsJudgedByChance)
 }
 
 
+TEST(misfitGates, fewHeldOutSamplesThatChanceLeavesNeitherRefuteNorConfirm)
+{
+    // A level before the surge that no mechanism changes
+    worldSampler s(truth(0, 0.7), 200, vec());
+    s.holdOutFew(5, 34);
+    const finding f(diagnose(s));
+    show(f);
+    ASSERT_EQ(f.held.size(), 1);
+    EXPECT_GT(f.held[0].squareBefore, 1.8);
+    EXPECT_LT(f.held[0].squareBefore, 2.8);
+    EXPECT_EQ(f.verdict, "named");
+    EXPECT_EQ(gateOf(f, "heldOut").name, "heldOut");
+    EXPECT_FALSE(gateOf(f, "heldOut").applies);
+    EXPECT_EQ(f.told.find("not yet match"), std::string::npos) << f.told;
+
+    // More than chance leaves
+    worldSampler far(truth(0, 0.7), 200, vec());
+    far.holdOutFew(5, 55);
+    const finding refuted(diagnose(far));
+    EXPECT_FALSE(passes(refuted, "heldOut"));
+    EXPECT_EQ(refuted.verdict, "unknown");
+}
+
+
 TEST(misfitGates, anExperimentThatFailsIsNoDisagreement)
 {
     worldSampler s(truth(-1, 0), 100, vec());

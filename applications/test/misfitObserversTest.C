@@ -105,6 +105,43 @@ TEST(misfitObservers, aNumberAloneIsTheLastLineOfItsTable)
 }
 
 
+TEST(misfitObservers, aProfileIsTheShareOfWaterInEachColumnOfCellsTimesTheHeight)
+{
+    // A column of two cells, the upper one of half the size, and one of a single cell
+    const fakeCase c;
+    mkDir(c.folder()/"postProcessing/view/0.5");
+    c.write
+    (
+        "postProcessing/view/0.5/cells.dat",
+        "# x y z size alpha speed\n"
+        "0.1 0 0.1 0.2 1 0\n0.1 0 0.25 0.1 0.25 0\n0.3 0 0.1 0.2 0.5 0\n"
+    );
+    const auto profile = [&c](const std::string& height)
+    {
+        IStringStream is
+        (
+            "quantity length; uncertainty 0.01; at 0.5; file \"p.csv\";"
+            " simulated { type profile; function view; height " + height + "; }"
+        );
+        c.write("p.csv", "x_m,y_m\n0.1,0.2\n0.2,0.15\n0.3,0.1\n");
+        return channel("surface", dictionary(is), purpose::fit, c.folder(), 40);
+    };
+    const channel recorded(profile("0.4"));
+    const series s(observer::New(recorded)->read(c.folder()));
+    ASSERT_EQ(s.x.size(), 2);
+    EXPECT_NEAR(s.x[0], 0.1, 1e-12);
+    EXPECT_NEAR(s.y[0], 0.4*(8 + 0.25)/9, 1e-12);
+    EXPECT_NEAR(s.x[1], 0.3, 1e-12);
+    EXPECT_NEAR(s.y[1], 0.4*0.5, 1e-12);
+
+    const std::string told
+    (
+        refusal([&](){ observer::New(profile("0")); })
+    );
+    EXPECT_NE(told.find("height"), std::string::npos) << told;
+}
+
+
 TEST(misfitObservers, whatAnyRunCannotHaveIsToldBeforeTheFirst)
 {
     const fakeCase c;

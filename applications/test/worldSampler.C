@@ -112,7 +112,8 @@ Foam::misfit::samples Foam::misfit::worldSampler::run(const runState& state)
         s.fit = rows(f, keep);
         if (data_[0].gate.size())
         {
-            s.gate = world_.data.segments[2].of(f);
+            s.gate =
+                world_.data.segments[2].of(f).head(data_[0].gate.size());
         }
     }
     else
@@ -279,6 +280,22 @@ void Foam::misfit::worldSampler::holdNothingOut()
 {
     data_.resize(1);
     data_[0].gate = stacked();
+}
+
+
+void Foam::misfit::worldSampler::holdOutFew
+(
+    const label samples,
+    const scalar added
+)
+{
+    data_.resize(1);
+    stacked& g = data_[0].gate;
+    segment& few = g.segments[0];
+    few.size = samples;
+    few.x = vec(few.x.head(samples));
+    few.readings = vec(few.readings.head(samples));
+    g.y = vec(g.y.head(samples).array() + added);
 }
 
 

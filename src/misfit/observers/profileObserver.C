@@ -46,8 +46,7 @@ Foam::misfit::profileObserver::read(const fileName& caseFolder) const
 {
     const writtenTable cells
     (
-        nearestTimeFolder(caseFolder, function_, of().at())
-       /(function_ + ".dat")
+        nearestTimeFolder(caseFolder, function_, of().at())/"cells.dat"
     );
 
     // Columns of a sideView: x y z size alpha speed
