@@ -17,12 +17,11 @@ Foam::misfit::settings Foam::misfit::worldSettings()
         const word name(world::mechanism(m));
         s.candidates.append({name, name, {}, 0.5, 1, 1, GREAT, {}});
     }
-    using kind = sensorFault::kind;
     s.faults =
     {
-        kind::lag, kind::gain, kind::zero, kind::drift, kind::clock,
-        kind::clogged, kind::swapped, kind::misplaced, kind::units,
-        kind::dead, kind::saturated
+        "lag", "gain", "zero", "drift", "clock",
+        "clogged", "swapped", "misplaced", "units",
+        "dead", "saturated"
     };
     s.trigger = 0.005;
     s.draws = 500;

@@ -27,7 +27,7 @@ bool Foam::misfit::diagnosis::mayBeNothing() const
     const hypothesis& what = best().what;
     return
         what.isNone() || !passed("evidence")
-     || (what.fault && !sensorFault::isRegistration(what.fault->type()));
+     || (what.fault && !what.fault->isRegistration());
 }
 
 

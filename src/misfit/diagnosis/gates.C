@@ -173,7 +173,7 @@ Foam::scalar Foam::misfit::diagnosis::heldOutLimit(const heldOut& h) const
     if
     (
         what.isNone()
-     || (what.fault && !sensorFault::isRegistration(what.fault->type()))
+     || (what.fault && !what.fault->isRegistration())
     )
     {
         return limitOfNothing(h);

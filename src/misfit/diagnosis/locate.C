@@ -91,11 +91,11 @@ Foam::misfit::diagnosis::shapes(const weighed& base) const
         }
     }
 
-    for (const sensorFault& f : possibleFaults(fit_->data(), settings_.faults))
+    for (const auto& fault : possibleFaults(fit_->data(), settings_.faults))
     {
-        if (f.size() == 1)
+        if (fault->size() == 1)
         {
-            add(f(base.best.f, f.slight()) - base.best.f);
+            add((*fault)(base.best.f, fault->slight()) - base.best.f);
         }
     }
     return all;

@@ -12,23 +12,18 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
-List<sensorFault::kind> readFaults(const dictionary& dict)
+wordList readFaults(const dictionary& dict)
 {
-    const wordList names
-    (
-        dict.getOrDefault("faults", sensorFault::names.names())
-    );
-    List<sensorFault::kind> faults;
-    for (const word& name : names)
+    const wordList valid(sensorFault::kinds());
+    const wordList faults(dict.getOrDefault("faults", valid));
+    for (const word& name : faults)
     {
-        if (!sensorFault::names.found(name))
+        if (!valid.found(name))
         {
             FatalIOErrorInFunction(dict)
                 << "The fault " << name << " is not known. Valid faults:"
-                << keywords::listed(sensorFault::names.names()).c_str()
-                << exit(FatalIOError);
+                << keywords::listed(valid).c_str() << exit(FatalIOError);
         }
-        faults.append(sensorFault::names[name]);
     }
     return faults;
 }

@@ -154,7 +154,7 @@ void Foam::misfit::diagnosis::judge(List<weighed>& near)
     if (oneChannel)
     {
         found_.verdict =
-            sensorFault::isRegistration(best().what.fault->type())
+            best().what.fault->isRegistration()
           ? "registration" : "sensor";
         found_.names.append(best().what.fault->channel());
         return;

@@ -102,7 +102,7 @@ json fault(const finding& f)
     return
     {
         {"channel", what.fault->channel()},
-        {"kind", sensorFault::names[what.fault->type()]},
+        {"kind", what.fault->type()},
         {"values", numbers(x.tail(what.fault->size()))}
     };
 }

@@ -245,7 +245,7 @@ Foam::misfit::weighed Foam::misfit::weighing::where(const weighed& w) const
 Foam::List<Foam::misfit::weighed> Foam::misfit::weighing::all
 (
     const List<label>& mechanisms,
-    const List<sensorFault>& faults,
+    const faultList& faults,
     const bool pairs
 ) const
 {
@@ -266,11 +266,11 @@ Foam::List<Foam::misfit::weighed> Foam::misfit::weighing::all
             list.append(quickly(h, white));
         }
     }
-    for (const sensorFault& f : faults)
+    for (const auto& fault : faults)
     {
         hypothesis h;
-        h.fault = std::make_shared<const sensorFault>(f);
-        const vec scales = f.noiseScales();
+        h.fault = fault;
+        const vec scales = fault->noiseScales();
         list.append
         (
             (scales.array() == 1).all()
