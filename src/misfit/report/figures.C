@@ -6,6 +6,7 @@
 
 #include "OSspecific.H"
 
+#include <cmath>
 #include <fstream>
 
 namespace
@@ -66,6 +67,17 @@ std::string numberPlot
 }
 
 
+//- Distance of some four labels along an axis of that length: gnuplot's own overlap
+//  in three columns
+scalar labelStep(const scalar length)
+{
+    const scalar step = max(length, VSMALL)/4;
+    const scalar power = std::pow(10.0, std::floor(std::log10(step)));
+    const scalar first = step/power;
+    return power*(first < 1.5 ? 1 : first < 3.5 ? 2 : first < 7.5 ? 5 : 10);
+}
+
+
 //- A picture of the channels of a file, in columns
 std::string seriesPlot
 (
@@ -95,7 +107,8 @@ std::string seriesPlot
             continue;
         }
         os  << "set title '" << s.name << " (" << s.quantity << ")'\n"
-            << "set autoscale x; set xtics auto; set xlabel '"
+            << "set autoscale x; set xtics " << labelStep(s.duration())
+            << "; set xlabel '"
             << (s.overTime ? "time [s]" : "distance [m]")
             << "'\nset ylabel '" << unitOf(s.quantity) << "'\nplot '" << file
             << ".dat' index " << i << " using 1:($2-2*$3):($2+2*$3) with"
