@@ -7,16 +7,12 @@
 #include "temporaryFolder.H"
 #include "textFile.H"
 
-#include "fileNameList.H"
 #include "IFstream.H"
 #include "OSspecific.H"
 #include "SHA1.H"
 #include "stringOps.H"
 
-#include <algorithm>
 #include <fcntl.h>
-#include <filesystem>
-#include <set>
 #include <sys/file.h>
 #include <thread>
 #include <unistd.h>
@@ -25,58 +21,6 @@ namespace
 {
 
 using namespace Foam;
-
-//- All regular files below a folder, sorted
-void filesBelow(const fileName& folder, fileNameList& files)
-{
-    for (const fileName& f : readDir(folder, fileName::FILE, false))
-    {
-        files.append(folder/f);
-    }
-    for (const fileName& d : readDir(folder, fileName::DIRECTORY))
-    {
-        filesBelow(folder/d, files);
-    }
-}
-
-
-//- With the right to be run, which Foam::cp takes from scripts; programs of a run
-//  may write into it
-void copyFile(const fileName& from, const fileName& to)
-{
-    namespace fs = std::filesystem;
-    const std::string copied(to);
-    std::error_code failed;
-    mkDir(to.path());
-    fs::copy_file
-    (
-        std::string(from), copied, fs::copy_options::overwrite_existing, failed
-    );
-    if (!failed)
-    {
-        fs::permissions
-        (
-            copied, fs::perms::owner_write, fs::perm_options::add, failed
-        );
-    }
-    if (failed)
-    {
-        FatalErrorInFunction
-            << "Could not copy " << from << " to " << to << ": "
-            << failed.message().c_str() << exit(FatalError);
-    }
-}
-
-
-string digest(const string& text)
-{
-    return SHA1(text).digest().str();
-}
-
-
-//- Fields of a template before a run
-const string original("0.orig");
-
 
 //- In a decomposeParDict that etc/cutAlong wrote
 const string cutByUs("// Cuts along the chute");
@@ -116,6 +60,20 @@ bool isFromOutside(const string& said)
 const word failedBefore("failedBefore");
 
 
+//- True if one of the commands has that program
+bool has(const stringList& commands, const char* program)
+{
+    for (const string& c : commands)
+    {
+        if (c.find(program) != string::npos)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
 string inQuotes(const fileName& path)
 {
     return "'" + path + "'";
@@ -128,127 +86,12 @@ string inQuotes(const fileName& path)
 
 Foam::word Foam::misfit::runStore::name(const wantedRun& run) const
 {
-    string all(templateHash_ + '\n' + run.told);
+    string all(template_.hash() + '\n' + run.told);
     for (const string& c : commands_)
     {
         all += '\n' + c;
     }
-    return word(digest(all).substr(0, 12), false);
-}
-
-
-Foam::fileNameList Foam::misfit::runStore::parts() const
-{
-    fileNameList found;
-    found.append(isDir(template_/original) ? original : string("0"));
-    found.append("constant");
-    found.append("system");
-    found.append(files_);
-    return found;
-}
-
-
-Foam::fileNameList Foam::misfit::runStore::files() const
-{
-    fileNameList files;
-    for (const fileName& part : parts())
-    {
-        if (isDir(template_/part))
-        {
-            filesBelow(template_/part, files);
-        }
-        else
-        {
-            files.append(template_/part);
-        }
-    }
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
-
-std::map<Foam::fileName, Foam::string>
-Foam::misfit::runStore::digests() const
-{
-    // A mesh that blockMesh makes anew is not what the run is made of
-    bool meshIsMade = false;
-    for (const string& c : commands_)
-    {
-        meshIsMade = meshIsMade || c.find("blockMesh") != string::npos;
-    }
-
-    std::map<fileName, string> all;
-    for (const fileName& f : files())
-    {
-        const bool ofMesh = f.find("/polyMesh/") != string::npos;
-        const bool asks =
-            f.name() == "misfitDict" || f.name() == dictName_.name();
-        if (!asks && !(ofMesh && meshIsMade))
-        {
-            all[f.substr(template_.size())] = digest(contentOf(f));
-        }
-    }
-    return all;
-}
-
-
-void Foam::misfit::runStore::checkUnchanged() const
-{
-    const auto now(digests());
-    std::set<fileName> changed;
-    for (const auto* some : {&now, &digests_})
-    {
-        for (const auto& file : *some)
-        {
-            const auto a = now.find(file.first);
-            const auto b = digests_.find(file.first);
-            if (a == now.end() || b == digests_.end() || a->second != b->second)
-            {
-                changed.insert(file.first);
-            }
-        }
-    }
-    if (changed.empty())
-    {
-        return;
-    }
-
-    string names;
-    for (const fileName& file : changed)
-    {
-        names += "\n        " + template_ + file;
-    }
-    FatalErrorInFunction
-        << "The case was changed while misfitFoam worked with it. Changed, added or"
-        << " removed:" << names.c_str() << nl
-        << "    Runs of two cases cannot be compared, so no more are done. Put this"
-        << " back as it was and start misfitFoam again: it goes on. Or start it with"
-        << " the case as it is now: its runs are done from the first" << exit(FatalError);
-}
-
-
-Foam::fileName Foam::misfit::runStore::inCase(const fileName& part)
-{
-    return
-        part == original || part.find(original + '/') == 0
-      ? fileName("0" + part.substr(original.size()))
-      : part;
-}
-
-
-void Foam::misfit::runStore::link(const fileName& target) const
-{
-    for (const fileName& f : files())
-    {
-        const fileName l(target/inCase(f.substr(template_.size() + 1)));
-        mkDir(l.path());
-
-        // Some file systems have no links
-        if (!exists(l) && !ln(f, l))
-        {
-            cp(f, l);
-        }
-    }
+    return word(SHA1(all).digest().str().substr(0, 12), false);
 }
 
 
@@ -275,26 +118,6 @@ void Foam::misfit::runStore::checkPrograms() const
 }
 
 
-void Foam::misfit::runStore::copyAndChange
-(
-    const fileName& target,
-    const wantedRun& run
-) const
-{
-    if (isDir(target))
-    {
-        rmDir(target);
-    }
-    mkDir(target);
-
-    for (const fileName& f : files())
-    {
-        copyFile(f, target/inCase(f.substr(template_.size() + 1)));
-    }
-    run.change(target);
-}
-
-
 void Foam::misfit::runStore::prepare
 (
     const word& name,
@@ -311,7 +134,8 @@ void Foam::misfit::runStore::prepare
     {
         rmDir(target);
     }
-    copyAndChange(target/"case", run);
+    template_.copy(target/"case");
+    run.change(target/"case");
     if (failed.size())
     {
         writeWhole(target/failedBefore, failed);
@@ -406,7 +230,7 @@ void Foam::misfit::runStore::checkSamePrograms(const List<wantedRun>& runs)
 
 void Foam::misfit::runStore::checkCut() const
 {
-    const fileName file(template_/"system"/"decomposeParDict");
+    const fileName file(template_.folder()/"system"/"decomposeParDict");
     const string text(contentOf(file));
 
     if (ranks_ > 1 && text.size() && text.find(cutByUs) == string::npos)
@@ -429,15 +253,20 @@ void Foam::misfit::runStore::checkCut() const
 
 Foam::misfit::runStore::runStore
 (
-    const fileName& templateCase,
+    const fileName& folder,
     const dictionary& dict
 )
 :
-    template_(templateCase),
-    folder_(templateCase/"misfit"/"runs"),
+    folder_(folder/"misfit"/"runs"),
     commands_(dict.get<stringList>("commands")),
     dictName_(dict.name()),
-    files_(dict.getOrDefault("files", fileNameList())),
+    template_
+    (
+        folder,
+        dict.getOrDefault("files", fileNameList()),
+        dictName_.name(),
+        has(commands_, "blockMesh")
+    ),
     ranks_(dict.getOrDefault<label>("ranks", 1)),
     jobs_
     (
@@ -462,25 +291,8 @@ Foam::misfit::runStore::runStore
             << " ranks, jobs and timeLimit must be 1 or more"
             << exit(FatalIOError);
     }
-    for (const fileName& part : parts())
-    {
-        if (!exists(template_/part))
-        {
-            FatalErrorInFunction
-                << "The case " << template_ << " has no " << part.c_str()
-                << exit(FatalError);
-        }
-    }
     checkCut();
     mkDir(folder_);
-    digests_ = digests();
-
-    string all;
-    for (const auto& file : digests_)
-    {
-        all += file.first + file.second + '\n';
-    }
-    templateHash_ = digest(all);
 }
 
 
@@ -559,7 +371,7 @@ void Foam::misfit::runStore::rehearse(const List<wantedRun>& runs) const
         {
             const temporaryFolder scratch;
             here = fileName(scratch)/"case";
-            link(here);
+            template_.link(here);
             run.change(here);
         }
     }
@@ -577,13 +389,8 @@ void Foam::misfit::runStore::rehearse(const List<wantedRun>& runs) const
     FatalIOError.throwExceptions(threwIO);
     if (wrong.size())
     {
-        // Where a person mends it
-        if (isDir(template_/original))
-        {
-            wrong.replaceAll(here/"0/", template_/(original + '/'));
-        }
-        wrong.replaceAll(here, template_);
-        FatalErrorInFunction << wrong.c_str() << exit(FatalError);
+        FatalErrorInFunction
+            << template_.inIts(wrong, here).c_str() << exit(FatalError);
     }
 }
 
@@ -594,8 +401,9 @@ void Foam::misfit::runStore::makeCase
     const wantedRun& run
 ) const
 {
-    copyAndChange(target, run);
-    checkUnchanged();
+    template_.copy(target);
+    run.change(target);
+    template_.checkUnchanged();
 }
 
 
@@ -622,7 +430,7 @@ void Foam::misfit::runStore::finish(const List<wantedRun>& runs)
         return;
     }
 
-    checkUnchanged();
+    template_.checkUnchanged();
     tried_ |= todo;
     if (failed)
     {

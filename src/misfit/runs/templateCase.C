@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The case that all runs are copies of.
+
+#include "templateCase.H"
+#include "textFile.H"
+
+#include "OSspecific.H"
+#include "SHA1.H"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+namespace
+{
+
+using namespace Foam;
+
+//- All regular files below a folder, sorted
+void filesBelow(const fileName& folder, fileNameList& files)
+{
+    for (const fileName& f : readDir(folder, fileName::FILE, false))
+    {
+        files.append(folder/f);
+    }
+    for (const fileName& d : readDir(folder, fileName::DIRECTORY))
+    {
+        filesBelow(folder/d, files);
+    }
+}
+
+
+//- With the right to be run, which Foam::cp takes from scripts; programs of a run
+//  may write into it
+void copyFile(const fileName& from, const fileName& to)
+{
+    namespace fs = std::filesystem;
+    const std::string copied(to);
+    std::error_code failed;
+    mkDir(to.path());
+    fs::copy_file
+    (
+        std::string(from), copied, fs::copy_options::overwrite_existing, failed
+    );
+    if (!failed)
+    {
+        fs::permissions
+        (
+            copied, fs::perms::owner_write, fs::perm_options::add, failed
+        );
+    }
+    if (failed)
+    {
+        FatalErrorInFunction
+            << "Could not copy " << from << " to " << to << ": "
+            << failed.message().c_str() << exit(FatalError);
+    }
+}
+
+
+string digest(const string& text)
+{
+    return SHA1(text).digest().str();
+}
+
+
+//- Fields of a template before a run
+const string original("0.orig");
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::fileNameList Foam::misfit::templateCase::parts() const
+{
+    fileNameList found;
+    found.append(isDir(folder_/original) ? original : string("0"));
+    found.append("constant");
+    found.append("system");
+    found.append(files_);
+    return found;
+}
+
+
+Foam::fileNameList Foam::misfit::templateCase::files() const
+{
+    fileNameList files;
+    for (const fileName& part : parts())
+    {
+        if (isDir(folder_/part))
+        {
+            filesBelow(folder_/part, files);
+        }
+        else
+        {
+            files.append(folder_/part);
+        }
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+
+std::map<Foam::fileName, Foam::string>
+Foam::misfit::templateCase::digests() const
+{
+    std::map<fileName, string> all;
+    for (const fileName& f : files())
+    {
+        const bool ofMesh = f.find("/polyMesh/") != string::npos;
+        const bool asks = f.name() == "misfitDict" || f.name() == asking_;
+        if (!asks && !(ofMesh && meshIsMade_))
+        {
+            all[f.substr(folder_.size())] = digest(contentOf(f));
+        }
+    }
+    return all;
+}
+
+
+Foam::fileName Foam::misfit::templateCase::inCase(const fileName& part)
+{
+    return
+        part == original || part.find(original + '/') == 0
+      ? fileName("0" + part.substr(original.size()))
+      : part;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+Foam::misfit::templateCase::templateCase
+(
+    const fileName& folder,
+    const fileNameList& files,
+    const word& asking,
+    const bool meshIsMade
+)
+:
+    folder_(folder),
+    files_(files),
+    asking_(asking),
+    meshIsMade_(meshIsMade)
+{
+    for (const fileName& part : parts())
+    {
+        if (!exists(folder_/part))
+        {
+            FatalErrorInFunction
+                << "The case " << folder_ << " has no " << part.c_str()
+                << exit(FatalError);
+        }
+    }
+    digests_ = digests();
+
+    string all;
+    for (const auto& file : digests_)
+    {
+        all += file.first + file.second + '\n';
+    }
+    hash_ = digest(all);
+}
+
+
+// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
+
+void Foam::misfit::templateCase::checkUnchanged() const
+{
+    const auto now(digests());
+    std::set<fileName> changed;
+    for (const auto* some : {&now, &digests_})
+    {
+        for (const auto& file : *some)
+        {
+            const auto a = now.find(file.first);
+            const auto b = digests_.find(file.first);
+            if (a == now.end() || b == digests_.end() || a->second != b->second)
+            {
+                changed.insert(file.first);
+            }
+        }
+    }
+    if (changed.empty())
+    {
+        return;
+    }
+
+    string names;
+    for (const fileName& file : changed)
+    {
+        names += "\n        " + folder_ + file;
+    }
+    FatalErrorInFunction
+        << "The case was changed while misfitFoam worked with it. Changed, added or"
+        << " removed:" << names.c_str() << nl
+        << "    Runs of two cases cannot be compared, so no more are done. Put this"
+        << " back as it was and start misfitFoam again: it goes on. Or start it with"
+        << " the case as it is now: its runs are done from the first" << exit(FatalError);
+}
+
+
+void Foam::misfit::templateCase::link(const fileName& target) const
+{
+    for (const fileName& f : files())
+    {
+        const fileName l(target/inCase(f.substr(folder_.size() + 1)));
+        mkDir(l.path());
+
+        // Some file systems have no links
+        if (!exists(l) && !ln(f, l))
+        {
+            cp(f, l);
+        }
+    }
+}
+
+
+void Foam::misfit::templateCase::copy(const fileName& target) const
+{
+    if (isDir(target))
+    {
+        rmDir(target);
+    }
+    mkDir(target);
+
+    for (const fileName& f : files())
+    {
+        copyFile(f, target/inCase(f.substr(folder_.size() + 1)));
+    }
+}
+
+
+Foam::string Foam::misfit::templateCase::inIts
+(
+    const string& words,
+    const fileName& copy
+) const
+{
+    string its(words);
+    if (isDir(folder_/original))
+    {
+        its.replaceAll(copy/"0/", folder_/(original + '/'));
+    }
+    its.replaceAll(copy, folder_);
+    return its;
+}
