@@ -133,6 +133,56 @@ TEST(misfitDiagnosis, whatTheseChannelsCannotTellApartIsASet)
 }
 
 
+TEST(misfitDiagnosis, strengthsOfASetAreToldWithWhatWasFitted)
+{
+    worldSampler s(truth(0, 0.7), 200, vec());
+    s.makeTwins();
+    const finding f(diagnose(s));
+    ASSERT_EQ(f.verdict, "set");
+    ASSERT_EQ(f.strengths.size(), 1);
+    const word& name = f.strengths[0].name;
+    EXPECT_NE
+    (
+        f.told.find(". As fitted with " + name + ": strength of " + name + ' '),
+        std::string::npos
+    ) << f.told;
+}
+
+
+TEST(misfitDiagnosis, aSetSaysWhatActsTogether)
+{
+    vec x(truth(0, 0.7));
+    x[2 + 2] = 0.7;
+    worldSampler s(x, 200, vec());
+    s.makeTwins();
+    const finding f(diagnose(s));
+    ASSERT_EQ(f.verdict, "set");
+    EXPECT_NE
+    (
+        f.told.find(" and longTail together, or "), std::string::npos
+    ) << f.told;
+}
+
+
+TEST(misfitDiagnosis, theSimplerOneIsNotCalledTheBest)
+{
+    // The second one is too weak to be named
+    vec x(truth(0, 0.7));
+    x[2 + 2] = 0.1;
+    worldSampler s(x, 200, vec());
+    s.addContradiction();
+    const finding f(diagnose(s));
+    show(f);
+    ASSERT_EQ(f.verdict, "unknown");
+    EXPECT_NE(f.posterior.first().first(), world::mechanism(0));
+    EXPECT_NE
+    (
+        f.told.find("the best simple explanation, " + world::mechanism(0) + ", "),
+        std::string::npos
+    ) << f.told;
+}
+
+
 TEST(misfitDiagnosis, twoMechanismsAtOnceAreBothNamed)
 {
     vec both = truth(0, 0.9);

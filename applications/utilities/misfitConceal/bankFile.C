@@ -84,11 +84,13 @@ void Foam::misfit::bankFile::write
 (
     const fileName& file,
     const recordings& channels,
+    const string& digest,
     const List<runState>& states,
     const List<prediction>& runs
 )
 {
     std::ostringstream os;
+    os << digest << '\n';
     forAll(states, i)
     {
         os << told(states[i]) << '\n';
@@ -120,10 +122,18 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::bankFile::read
 (
     const fileName& file,
     const recordings& channels,
+    const string& digest,
     const List<runState>& states
 )
 {
     std::ifstream is(file);
+    if (nextLine(is, file) != digest)
+    {
+        FatalErrorInFunction
+            << "The bank " << file << " is of runs with other formulas, numbers or"
+            << " channels than the dictionary of its side has now. Delete it to have"
+            << " it computed anew" << exit(FatalError);
+    }
     List<prediction> runs(states.size());
     forAll(states, i)
     {

@@ -105,6 +105,7 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::concealedSide::runs
     const List<runState>& states
 )
 {
+    const string digest(solver_.digest(states));
     if (!isFile(file, false))
     {
         List<prediction> all(solver_.predict(states));
@@ -113,9 +114,9 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::concealedSide::runs
             p = bankFile::reduced(p);
         }
         mkDir(file.path());
-        bankFile::write(file, bare_, states, all);
+        bankFile::write(file, bare_, digest, states, all);
     }
-    return bankFile::read(file, bare_, states);
+    return bankFile::read(file, bare_, digest, states);
 }
 
 
@@ -132,9 +133,11 @@ Foam::misfit::concealedSide::concealedSide
     solver_(bare_, slice, dict_),
     useSolver_(useSolver)
 {
-    // What the solver shall compute needs no bank
+    // What the solver shall compute needs no bank. The library's has the states that
+    // every diagnosis begins with; the truth's are drawn, and never those of a bank
     const settings set(readSettings(dict_));
-    if (useSolver && !isFile(banks/side + ".txt", false))
+    const bool isDrawn = side == "truth";
+    if (useSolver && (isDrawn || !isFile(banks/side + ".txt", false)))
     {
         return;
     }

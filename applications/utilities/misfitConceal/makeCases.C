@@ -83,6 +83,12 @@ json keyOf(const concealedCase& c, const word& name)
             {"name", c.mechanisms[i]}, {"strength", c.strengths[i]}
         });
     }
+    k["parameters"] = json::object();
+    for (const word& p : c.state.parameters.sortedToc())
+    {
+        k["parameters"][p] = c.state.parameters[p];
+    }
+    k["startOff"] = c.jitter;
     k["faulty"] = c.faulty;
     k["fault"] = c.fault;
     k["faultSize"] = c.faultSize;

@@ -33,18 +33,23 @@ void addOptions()
     argList::addBoolOption("score", "Score the verdicts against the key");
     argList::addBoolOption
     (
-        "check", "Compute a run of each bank anew and tell the difference"
+        "check", "Compute a run of each bank that is used anew and tell the difference"
     );
     argList::addBoolOption("solver", "Each state by the solver, not the bank");
 }
 
 
-//- Largest difference of a run of each bank, computed anew, over the uncertainty of
-//  a reading
-scalar difference(const fileName& slice, const fileName& banks)
+//- Largest difference of a run of these banks, computed anew, over the uncertainty
+//  of a reading
+scalar difference
+(
+    const fileName& slice,
+    const fileName& banks,
+    const wordList& sides
+)
 {
     scalar largest = 0;
-    for (const word& side : wordList({"truth", "library"}))
+    for (const word& side : sides)
     {
         largest =
             max(largest, concealedSide(slice, banks, side, false).difference(1));
@@ -97,7 +102,13 @@ int main(int argc, char* argv[])
     }
     if (args.found("check"))
     {
-        Info<< "check " << difference(slice, banks) << endl;
+        // The solver's truth has no bank
+        wordList sides(1, "library");
+        if (!solver)
+        {
+            sides.append("truth");
+        }
+        Info<< "check " << difference(slice, banks, sides) << endl;
     }
     return 0;
 }

@@ -183,7 +183,18 @@ Foam::scalar Foam::misfit::diagnosis::heldOutLimit(const heldOut& h) const
     // formula errs elsewhere; half where something else is missing too
     const scalar rest = max(h.squareBefore - 1, 0.0);
     const scalar share = what.fault ? 1.1 : what.unknown ? 0.5 : 2.0/3;
-    return max(1 + rest*share, matchLimit(h));
+    const scalar limit = max(1 + rest*share, matchLimit(h));
+
+    // Also where there was nothing wrong, a mechanism that is there does no harm
+    return
+        what.mechanisms.empty()
+      ? limit
+      : min
+        (
+            limit,
+            h.squareBefore
+          + worsenedByChance(h.data.size(), settings_.significance)
+        );
 }
 
 

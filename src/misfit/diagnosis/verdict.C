@@ -184,7 +184,7 @@ void Foam::misfit::diagnosis::judge(List<weighed>& near)
 void Foam::misfit::diagnosis::weaken()
 {
     // What wins without a channel, too, has some of it: that much is sure
-    if (stable_.size())
+    if (found_.verdict == "named" && stable_.size())
     {
         found_.names.clear();
         for (const label m : stable_)
@@ -195,7 +195,13 @@ void Foam::misfit::diagnosis::weaken()
         return;
     }
     found_.verdict = "set";
-    found_.names.append(winners_);
+    for (const word& w : winners_)
+    {
+        if (!found_.names.found(w))
+        {
+            found_.names.append(w);
+        }
+    }
 }
 
 
@@ -305,7 +311,7 @@ Foam::List<Foam::misfit::weighed> Foam::misfit::diagnosis::choose()
         {
             found_.verdict = "unknown";
         }
-        else if (found_.verdict == "named" && !passed("stability"))
+        else if (found_.verdict != "unknown" && !passed("stability"))
         {
             weaken();
         }

@@ -4,6 +4,8 @@
 #include "diagnosis.H"
 #include "StringStream.H"
 
+#include <algorithm>
+
 namespace
 {
 
@@ -23,6 +25,28 @@ string inWords(const wordList& list, const string& last)
     return words;
 }
 
+
+//- What a set holds, of which some may be mechanisms that act together
+string alternatives(const wordList& names)
+{
+    const auto isPair = [](const word& name)
+    {
+        return name.find(" and ") != string::npos;
+    };
+    if (std::none_of(names.begin(), names.end(), isPair))
+    {
+        return inWords(names, "or");
+    }
+    string words;
+    for (const word& name : names)
+    {
+        words +=
+            (words.empty() ? "" : ", or ") + name
+          + (isPair(name) ? " together" : "");
+    }
+    return words;
+}
+
 } // End anonymous namespace
 
 
@@ -33,8 +57,10 @@ Foam::string Foam::misfit::diagnosis::whatFails() const
         return "nothing in it explains it.";
     }
     const wordList failed(failedGates());
+    const bool simpler = best().score > lowestScore();
     return
-        "the best explanation, " + told(best().what, mechanismNames()) + ", "
+        string(simpler ? "the best simple explanation, " : "the best explanation, ")
+      + told(best().what, mechanismNames()) + ", "
       + (failed.empty() ? string("leads too little")
           : "does not pass " + inWords(failed, "and"))
       + (
@@ -112,9 +138,17 @@ Foam::string Foam::misfit::diagnosis::strengthsInWords() const
 {
     OStringStream os;
     os.precision(3);
+    string before("; strength of ");
+    if (found_.verdict == "set")
+    {
+        before =
+            ". As fitted with " + told(best().what, mechanismNames())
+          + ": strength of ";
+    }
     for (const foundStrength& s : found_.strengths)
     {
-        os << "; strength of " << s.name << ' ' << s.value;
+        os << before.c_str() << s.name << ' ' << s.value;
+        before = "; strength of ";
         if (s.pinned)
         {
             os << ", the largest that is allowed";
@@ -183,7 +217,7 @@ Foam::string Foam::misfit::diagnosis::whatIsLeftOut() const
         named
       ? "Left out: " + inWords(found_.names, "and")
       : "Left out is one of these, which these channels cannot tell apart: "
-      + inWords(found_.names, "or") + (mayBeTogether() ? ", or both" : "")
+      + alternatives(found_.names) + (mayBeTogether() ? ", or both" : "")
     );
     words += strengthsInWords() + '.';
     if (named && (partly_ || best().what.unknown))

@@ -6,6 +6,7 @@
 #include "keywords.H"
 
 #include "OSspecific.H"
+#include "SHA1.H"
 
 namespace
 {
@@ -298,6 +299,18 @@ Foam::misfit::solverPredictor::predict(const List<runState>& states)
         }
     }
     return found;
+}
+
+
+Foam::string
+Foam::misfit::solverPredictor::digest(const List<runState>& states) const
+{
+    string all;
+    for (const runState& s : states)
+    {
+        all += wanted(s).told;
+    }
+    return SHA1(all).digest().str();
 }
 
 

@@ -11,6 +11,25 @@
 
 #include <cmath>
 
+namespace
+{
+
+//- A case that is read sets the precision of all streams: those of this program write
+//  what a run is named after
+class keptPrecision
+{
+    const unsigned before_ = Foam::IOstream::defaultPrecision();
+
+public:
+
+    ~keptPrecision()
+    {
+        Foam::IOstream::defaultPrecision(before_);
+    }
+};
+
+} // End anonymous namespace
+
 
 void Foam::misfit::solverPredictor::checkPlacesIn
 (
@@ -28,6 +47,7 @@ void Foam::misfit::solverPredictor::checkPlacesIn
     }
     placesChecked_.insert(experiment);
 
+    const keptPrecision after;
     Time runTime
     (
         Time::controlDictName, caseFolder.path(), caseFolder.name(),

@@ -49,30 +49,6 @@ Foam::misfit::vec Foam::misfit::sensorFault::across
 }
 
 
-Foam::List<Foam::label> Foam::misfit::sensorFault::alike
-(
-    const stacked& data,
-    const label i
-)
-{
-    const segment& a = data.segments[i];
-    List<label> all;
-    forAll(data.segments, j)
-    {
-        const segment& b = data.segments[j];
-        if
-        (
-            i != j && a.quantity == b.quantity && a.overTime == b.overTime
-         && !a.isNumber() && !b.isNumber()
-        )
-        {
-            all.append(j);
-        }
-    }
-    return all;
-}
-
-
 bool Foam::misfit::sensorFault::isFlat(const segment& s, const vec& y)
 {
     if (s.isNumber())
