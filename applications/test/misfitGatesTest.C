@@ -146,6 +146,49 @@ TEST(misfitGates, fewHeldOutSamplesThatChanceLeavesNeitherRefuteNorConfirm)
 }
 
 
+TEST(misfitGates, aMechanismMakesNoHeldOutDataWorseWhereNothingWasWrong)
+{
+    const auto heldOutWith = [](const scalar share)
+    {
+        worldSampler s(truth(0, 0.2), 200, vec());
+        s.holdOutLessOf(truth(0, 0.2), share);
+        return diagnose(s);
+    };
+
+    // By a little, as chance does
+    const finding right(heldOutWith(1));
+    EXPECT_GT(right.held[0].squareAfter, right.held[0].squareBefore);
+    EXPECT_EQ(right.verdict, "named");
+
+    const finding wrong(heldOutWith(0.5));
+    EXPECT_LT(wrong.held[0].squareAfter, matchLimit(wrong.held[0]));
+    EXPECT_EQ(failed(wrong), wordList({"heldOut"}));
+    EXPECT_EQ(wrong.verdict, "unknown");
+}
+
+
+TEST(misfitGates, aRightEffectRarelyWorsensNoise)
+{
+    // The sum of squares by 1.645^2 in one of twenty at most
+    EXPECT_NEAR(worsenedByChance(10, 0.05), sqr(1.645)/10, 1e-3);
+
+    std::mt19937 generator(1);
+    std::normal_distribution<scalar> noise;
+    for (const scalar effect : {0.5, 1.645, 4.})
+    {
+        const label n = 20000;
+        label worse = 0;
+        for (label i = 0; i < n; ++i)
+        {
+            const scalar r = noise(generator);
+            worse += sqr(r) - sqr(r + effect) > worsenedByChance(1, 0.05);
+        }
+        EXPECT_LE(worse, 0.055*n) << effect;
+        EXPECT_EQ(worse > 0.045*n, effect == 1.645) << effect;
+    }
+}
+
+
 TEST(misfitGates, anExperimentThatFailsIsNoDisagreement)
 {
     worldSampler s(truth(-1, 0), 100, vec());

@@ -283,6 +283,20 @@ void Foam::misfit::worldSampler::holdNothingOut()
 }
 
 
+void Foam::misfit::worldSampler::holdOutLessOf
+(
+    const vec& x,
+    const scalar share
+)
+{
+    data_.resize(1);
+    vec without = x;
+    without.tail(x.size() - world::nParameters).setZero();
+    const vec effect = world_(x) - world_(without);
+    data_[0].gate.y -= (1 - share)*world_.data.segments[2].of(effect);
+}
+
+
 void Foam::misfit::worldSampler::holdOutFew
 (
     const label samples,
