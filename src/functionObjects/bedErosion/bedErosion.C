@@ -242,85 +242,104 @@ Foam::functionObjects::bedErosion::carried(const bedGrains& bed) const
 }
 
 
-bool Foam::functionObjects::bedErosion::look()
+bool Foam::functionObjects::bedErosion::lacksBed(const bedGrains& bed) const
 {
-    const bedGrains grains(bed());
-
-    if
-    (
+    const bool lacks =
         functionObject::postProcess
-     && !returnReduce(grains.size(), sumOp<label>())
-    )
+     && !returnReduce(bed.size(), sumOp<label>());
+    if (lacks)
     {
         Info<< type() << " " << name() << ": time " << mesh_.time().timeName()
             << " is passed over, it has no grains of the bed" << endl;
+    }
+    return lacks;
+}
+
+
+Foam::bedLayers Foam::functionObjects::bedErosion::layers
+(
+    const bedGrains& bed,
+    const scalar x1,
+    const scalar x2
+) const
+{
+    return bedLayers(bed, x1, x2, bouncingSpeed(), creepingSpeed());
+}
+
+
+Foam::scalarList
+Foam::functionObjects::bedErosion::layerLine(const bedGrains& bed) const
+{
+    const scalar x1 = layerRange_.first();
+    const scalar x2 = layerRange_.second();
+    const bedLayers in(layers(bed, x1, x2));
+    scalarList line;
+    for (const bedLayer& l : {in.bouncing, in.creeping, in.stationary})
+    {
+        const scalar thickness = l.volume/(reference_.packing*width_*(x2 - x1));
+        line.append(scalarList({thickness, l.U, scalar(l.n)}));
+    }
+    return line;
+}
+
+
+void Foam::functionObjects::bedErosion::follow
+(
+    const scalar depth,
+    const scalar UMoving
+)
+{
+    depth_.append(now(), depth);
+    rate_.append(now(), depth_.lastSlope(rateWindow_));
+    UEroded_.append(now(), UMoving);
+    keep("depth", depth_);
+    keep("rate", rate_);
+    keep("UEroded", UEroded_);
+}
+
+
+bool Foam::functionObjects::bedErosion::look()
+{
+    const bedGrains grains(bed());
+    if (lacksBed(grains))
+    {
         return false;
     }
-
     refer(grains);
 
     const strips depth(erosionDepth(grains));
     strips smooth(depth);
     smooth.values() = depth.smoothed(smoothing_);
-
     const erosionExtent extent
     (
         smooth, xStart_, threshold_, reference_.d/2
     );
-    const Tuple2<strips, scalar> far(carried(grains));
     const scalar H = depth.mean(depthRange_.first(), depthRange_.second());
     const scalar atX0 = depth.mean(rateRange_.first(), rateRange_.second());
-
-    const bedLayers moving
-    (
-        grains, xStart_, GREAT, bouncingSpeed(), creepingSpeed()
-    );
-    const bedLayers layers
-    (
-        grains,
-        layerRange_.first(),
-        layerRange_.second(),
-        bouncingSpeed(),
-        creepingSpeed()
-    );
-
-    depth_.append(now(), atX0);
-    rate_.append(now(), depth_.lastSlope(rateWindow_));
-    UEroded_.append(now(), moving.UMoving);
-    keep("depth", depth_);
-    keep("rate", rate_);
-    keep("UEroded", UEroded_);
+    const Tuple2<strips, scalar> far(carried(grains));
+    const scalar Lc = far.first().beyond(nFarthest_);
+    const bedLayers moving(layers(grains, xStart_, GREAT));
+    follow(atX0, moving.UMoving);
 
     const scalar solid = reference_.packing*width_;
-
     line_ =
     {
         H, atX0, rate_.values().last(), extent.length, extent.end,
-        far.first().beyond(nFarthest_), far.second(), grains.farthest(),
+        Lc, far.second(), grains.farthest(),
         moving.UMoving, moving.bouncing.U,
         extent.eroded*solid, extent.deposited*solid,
         gSum((constant::mathematical::pi*pow3(grains.d)/6)()),
         extent.raisedEnd
     };
-
-    const scalar base = solid*(layerRange_.second() - layerRange_.first());
-    layerLine_.clear();
-    for
-    (
-        const bedLayer& l
-      : {layers.bouncing, layers.creeping, layers.stationary}
-    )
-    {
-        layerLine_.append(scalarList({l.volume/base, l.U, scalar(l.n)}));
-    }
+    layerLine_ = layerLine(grains);
 
     setResult("H", H);
     setResult("L", extent.length);
-    setResult("Lc", line_[5]);
+    setResult("Lc", Lc);
     setResult("Ue", moving.UMoving);
 
     Log << type() << " " << name() << ": H " << H << " m, L "
-        << extent.length << " m, Lc " << line_[5] << " m, Ue "
+        << extent.length << " m, Lc " << Lc << " m, Ue "
         << moving.UMoving << " m/s" << nl << endl;
 
     return true;

@@ -261,6 +261,35 @@ Foam::functionObjects::surgeFront::overReach() const
 }
 
 
+Foam::scalar Foam::functionObjects::surgeFront::farthest
+(
+    const labelList& chosen
+) const
+{
+    scalar x = box().min().x();
+    for (const label i : chosen)
+    {
+        x = max(x, frame_.x(grains().position[i]));
+    }
+    return returnReduce(x, maxOp<scalar>());
+}
+
+
+void Foam::functionObjects::surgeFront::follow(const scalar x, const scalar h)
+{
+    position_.append(now(), x);
+    depth_.append(now(), h);
+    keep("position", position_);
+    keep("depth", depth_);
+
+    const FixedList<scalar, 3> reached(overReach());
+    setResult("x", x);
+    setResult("U", reached[0]);
+    setResult("h", reached[1]);
+    setResult("Fr", reached[2]);
+}
+
+
 bool Foam::functionObjects::surgeFront::look()
 {
     if (passOver({alphaName_, voidFractionName_}))
@@ -272,13 +301,6 @@ bool Foam::functionObjects::surgeFront::look()
     const scalar d = meanDiameter(chosen);
     const strips solid(solidThickness(chosen));
     const strips water(waterThickness());
-
-    scalar farthest = box().min().x();
-    for (const label i : chosen)
-    {
-        farthest = max(farthest, frame_.x(grains().position[i]));
-    }
-    reduce(farthest, maxOp<scalar>());
 
     const scalar xGrains = solid.farthest
     (
@@ -305,25 +327,14 @@ bool Foam::functionObjects::surgeFront::look()
       : thickness == thicknessType::water ? hWater
       : hMixture;
 
-    position_.append(now(), x);
-    depth_.append(now(), h);
-
+    follow(x, h);
     const scalar U = position_.lastSlope(window_);
 
     line_ =
     {
-        xGrains, xQuantile, farthest, xWater, x, U,
+        xGrains, xQuantile, farthest(chosen), xWater, x, U,
         hExtent, hWater, hMixture, h, froude(U, h)
     };
-
-    const FixedList<scalar, 3> reached(overReach());
-    setResult("x", x);
-    setResult("U", reached[0]);
-    setResult("h", reached[1]);
-    setResult("Fr", reached[2]);
-
-    keep("position", position_);
-    keep("depth", depth_);
 
     Log << type() << " " << name() << ": x " << x << " m, U " << U
         << " m/s, h " << h << " m, Fr " << line_.last() << nl << endl;
