@@ -242,17 +242,17 @@ Foam::functionObjects::bedErosion::carried(const bedGrains& bed) const
 }
 
 
-bool Foam::functionObjects::bedErosion::lacksBed(const bedGrains& bed) const
+bool Foam::functionObjects::bedErosion::passOverWithoutBed(const bedGrains& bed) const
 {
-    const bool lacks =
+    const bool passed =
         functionObject::postProcess
      && !returnReduce(bed.size(), sumOp<label>());
-    if (lacks)
+    if (passed)
     {
         Info<< type() << " " << name() << ": time " << mesh_.time().timeName()
             << " is passed over, it has no grains of the bed" << endl;
     }
-    return lacks;
+    return passed;
 }
 
 
@@ -301,7 +301,7 @@ void Foam::functionObjects::bedErosion::follow
 bool Foam::functionObjects::bedErosion::look()
 {
     const bedGrains grains(bed());
-    if (lacksBed(grains))
+    if (passOverWithoutBed(grains))
     {
         return false;
     }

@@ -183,18 +183,7 @@ Foam::scalar Foam::misfit::diagnosis::heldOutLimit(const heldOut& h) const
     // formula errs elsewhere; half where something else is missing too
     const scalar rest = max(h.squareBefore - 1, 0.0);
     const scalar share = what.fault ? 1.1 : what.unknown ? 0.5 : 2.0/3;
-    const scalar limit = max(1 + rest*share, matchLimit(h));
-
-    // Also where there was nothing wrong, a mechanism that is there does no harm
-    return
-        what.mechanisms.empty()
-      ? limit
-      : min
-        (
-            limit,
-            h.squareBefore
-          + worsenedByChance(h.data.size(), settings_.significance)
-        );
+    return max(1 + rest*share, matchLimit(h));
 }
 
 
@@ -219,6 +208,26 @@ Foam::misfit::gate Foam::misfit::diagnosis::heldOutGate
         best().what.isNone()
      || (!best().what.isOnlyUnknown() && !nothingToAsk),
         holds
+    };
+}
+
+
+Foam::misfit::gate
+Foam::misfit::diagnosis::harmGate(const heldOut& h) const
+{
+    const bool worse =
+        best().what.mechanisms.size() && h.squareAfter > h.squareBefore;
+    const scalar chance = worse ? chanceOfHarm(h) : 1;
+    return
+    {
+        "harm",
+        "Chance that " + h.what + " are matched so much worse (mean square "
+      + number(h.squareBefore) + " before, " + number(h.squareAfter)
+      + " after) if the best explanation is right",
+        number(chance),
+        "at least " + number(settings_.significance),
+        worse,
+        chance >= settings_.significance
     };
 }
 
@@ -417,15 +426,17 @@ void Foam::misfit::diagnosis::askGates()
     addHeldOut();
     for (const heldOut& h : found_.held)
     {
+        const bool here = h.what == "held-out channels";
         if (h.use == purpose::gate)
         {
             found_.gates.append
             (
-                heldOutGate
-                (
-                    h.what == "held-out channels" ? "heldOut" : "transfer", h
-                )
+                heldOutGate(here ? "heldOut" : "transfer", h)
             );
+        }
+        if (here)
+        {
+            found_.gates.append(harmGate(h));
         }
     }
     if (detected)

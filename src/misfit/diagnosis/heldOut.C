@@ -5,27 +5,6 @@
 
 #include <cmath>
 
-namespace
-{
-
-using namespace Foam;
-
-//- What a standard normal number is below with that probability, by halving
-scalar normalQuantile(const scalar probability)
-{
-    scalar low = -10;
-    scalar high = 10;
-    for (label i = 0; i < 60; ++i)
-    {
-        const scalar z = 0.5*(low + high);
-        (std::erfc(-z/std::sqrt(2.0)) < 2*probability ? low : high) = z;
-    }
-    return low;
-}
-
-} // End anonymous namespace
-
-
 void Foam::misfit::addCompared
 (
     List<heldOut>& all,
@@ -62,18 +41,16 @@ Foam::scalar Foam::misfit::chanceOfSquare
     const scalar probability
 )
 {
+    // Of a standard normal number, by halving
+    scalar low = -10;
+    scalar high = 10;
+    for (label i = 0; i < 60; ++i)
+    {
+        const scalar z = 0.5*(low + high);
+        (std::erfc(z/std::sqrt(2.0)) > 2*probability ? low : high) = z;
+    }
     const scalar v = 2.0/(9*samples);
-    return pow3(1 - v + normalQuantile(1 - probability)*std::sqrt(v));
-}
-
-
-Foam::scalar Foam::misfit::worsenedByChance
-(
-    const label samples,
-    const scalar probability
-)
-{
-    return sqr(normalQuantile(1 - probability))/samples;
+    return pow3(1 - v + low*std::sqrt(v));
 }
 
 

@@ -171,17 +171,26 @@ void Foam::misfit::diagnosis::judge(List<weighed>& near)
         return;
     }
 
+    callSet(near);
+}
+
+
+void Foam::misfit::diagnosis::callSet(List<weighed>& all)
+{
     // One that adds to another of the set says nothing more
-    near = simplest(near);
+    all = simplest(all);
     found_.verdict = "set";
-    for (const weighed& w : near)
+    found_.names.clear();
+    set_.clear();
+    for (const weighed& w : all)
     {
-        found_.names.append(word(told(w.what, names), false));
+        found_.names.append(word(told(w.what, mechanismNames()), false));
+        set_.append(w.what);
     }
 }
 
 
-void Foam::misfit::diagnosis::weaken()
+void Foam::misfit::diagnosis::weaken(List<weighed>& near)
 {
     // What wins without a channel, too, has some of it: that much is sure
     if (found_.verdict == "named" && stable_.size())
@@ -194,14 +203,21 @@ void Foam::misfit::diagnosis::weaken()
         partly_ = true;
         return;
     }
-    found_.verdict = "set";
-    for (const word& w : winners_)
+    if (found_.verdict == "named")
     {
-        if (!found_.names.found(w))
+        near = List<weighed>(1, best());
+        near[0].what.unknown = false;
+    }
+    const wordList held(found_.names);
+    for (const weighed& w : found_.explanations)
+    {
+        const word name(told(w.what, mechanismNames()), false);
+        if (winners_.found(name) && !held.found(name))
         {
-            found_.names.append(w);
+            near.append(w);
         }
     }
+    callSet(near);
 }
 
 
@@ -209,7 +225,8 @@ bool Foam::misfit::diagnosis::answers() const
 {
     return
         passed("computed") && passed("adequacy") && passed("heldOut")
-     && passed("transfer") && passed("alone") && passed("placebo");
+     && passed("harm") && passed("transfer") && passed("alone")
+     && passed("placebo");
 }
 
 
@@ -313,7 +330,7 @@ Foam::List<Foam::misfit::weighed> Foam::misfit::diagnosis::choose()
         }
         else if (found_.verdict != "unknown" && !passed("stability"))
         {
-            weaken();
+            weaken(near);
         }
     }
     if (found_.verdict == "none" && !confirmsNone())
@@ -393,6 +410,12 @@ bool Foam::misfit::diagnosis::hasAllThatIsNamed(const weighed& w) const
 }
 
 
+bool Foam::misfit::diagnosis::isInSet(const weighed& w) const
+{
+    return found_.names.found(word(told(w.what, mechanismNames()), false));
+}
+
+
 void Foam::misfit::diagnosis::confide()
 {
     const scalar lowest = lowestScore();
@@ -405,7 +428,7 @@ void Foam::misfit::diagnosis::confide()
           : found_.blamesChannel()
           ? isFault(w) && w.what.fault->channel() == found_.names[0]
           : v == "unknown" ? w.what.isOnlyUnknown()
-          : v == "set" ? w.score < lowest + settings_.gap
+          : v == "set" ? w.score < lowest + settings_.gap || isInSet(w)
           : hasAllThatIsNamed(w);
         sum += counts ? w.probability : 0;
     }

@@ -4,8 +4,6 @@
 #include "diagnosis.H"
 #include "StringStream.H"
 
-#include <algorithm>
-
 namespace
 {
 
@@ -25,29 +23,44 @@ string inWords(const wordList& list, const string& last)
     return words;
 }
 
+} // End anonymous namespace
 
-//- What a set holds, of which some may be mechanisms that act together
-string alternatives(const wordList& names)
+
+Foam::string Foam::misfit::diagnosis::theBest() const
 {
-    const auto isPair = [](const word& name)
+    // One with less on may be judged in the place of the first
+    bool simpler = false;
+    for (const weighed& w : found_.explanations)
     {
-        return name.find(" and ") != string::npos;
-    };
-    if (std::none_of(names.begin(), names.end(), isPair))
+        simpler =
+            simpler || (w.score == lowestScore() && w.what.extends(best().what));
+    }
+    return
+        string(simpler ? "the best simple explanation, " : "the best explanation, ")
+      + told(best().what, mechanismNames());
+}
+
+
+Foam::string Foam::misfit::diagnosis::alternatives() const
+{
+    bool mixed = false;
+    for (const hypothesis& h : set_)
     {
-        return inWords(names, "or");
+        mixed = mixed || h.mechanisms.size() > 1;
+    }
+    if (!mixed)
+    {
+        return inWords(found_.names, "or");
     }
     string words;
-    for (const word& name : names)
+    for (const hypothesis& h : set_)
     {
         words +=
-            (words.empty() ? "" : ", or ") + name
-          + (isPair(name) ? " together" : "");
+            (words.empty() ? "" : ", or ") + told(h, mechanismNames())
+          + (h.mechanisms.size() > 1 ? " together" : "");
     }
     return words;
 }
-
-} // End anonymous namespace
 
 
 Foam::string Foam::misfit::diagnosis::whatFails() const
@@ -57,28 +70,26 @@ Foam::string Foam::misfit::diagnosis::whatFails() const
         return "nothing in it explains it.";
     }
     const wordList failed(failedGates());
-    const bool simpler = best().score > lowestScore();
+    const bool agreesElsewhere =
+        passed("heldOut") && passed("harm") && passed("transfer");
     return
-        string(simpler ? "the best simple explanation, " : "the best explanation, ")
-      + told(best().what, mechanismNames()) + ", "
+        theBest() + ", "
       + (failed.empty() ? string("leads too little")
           : "does not pass " + inWords(failed, "and"))
-      + (
-            passed("heldOut") && passed("transfer")
-          ? ". Two faulty sensors look like that, too." : "."
-        );
+      + (agreesElsewhere ? ". Two faulty sensors look like that, too." : ".")
+      + (passed("harm") ? "" : " It makes the match of held-out channels worse.");
 }
 
 
 Foam::string Foam::misfit::diagnosis::whatWasNotRun() const
 {
-    const string what(told(best().what, mechanismNames()));
     return
         failedExperiments_.empty()
-      ? "It cannot be decided: the solver failed with what explains it best, " + what
+      ? "It cannot be decided: the solver failed with " + theBest()
       + ", at the strength that was fitted."
-      : what + " explains it best, but it is not confirmed: the solver fails in"
-        " experiment " + inWords(failedExperiments_, "and") + ".";
+      : "It cannot be decided: " + theBest()
+      + ", is not confirmed, as the solver fails in experiment "
+      + inWords(failedExperiments_, "and") + ".";
 }
 
 
@@ -88,8 +99,7 @@ Foam::string Foam::misfit::diagnosis::whatGainsTooLittle() const
     if (!best().what.isNone())
     {
         words +=
-            ": " + told(best().what, mechanismNames())
-          + ", which explains it best, does not pass evidence";
+            ": " + theBest() + ", does not pass evidence";
     }
     return words + '.';
 }
@@ -125,7 +135,7 @@ bool Foam::misfit::diagnosis::mayBeTogether() const
         const bool all =
             hasAllThatIsNamed(w)
          && w.what.mechanisms.size() == found_.names.size();
-        if (all && found_.names.size() > 1)
+        if (all && found_.names.size() == 2)
         {
             return true;
         }
@@ -139,7 +149,7 @@ Foam::string Foam::misfit::diagnosis::strengthsInWords() const
     OStringStream os;
     os.precision(3);
     string before("; strength of ");
-    if (found_.verdict == "set")
+    if (found_.verdict == "set" || partly_)
     {
         before =
             ". As fitted with " + told(best().what, mechanismNames())
@@ -217,7 +227,7 @@ Foam::string Foam::misfit::diagnosis::whatIsLeftOut() const
         named
       ? "Left out: " + inWords(found_.names, "and")
       : "Left out is one of these, which these channels cannot tell apart: "
-      + alternatives(found_.names) + (mayBeTogether() ? ", or both" : "")
+      + alternatives() + (mayBeTogether() ? ", or both" : "")
     );
     words += strengthsInWords() + '.';
     if (named && (partly_ || best().what.unknown))
@@ -253,9 +263,8 @@ void Foam::misfit::diagnosis::describe()
     else if (isUnproved())
     {
         found_.told =
-            told(best().what, mechanismNames()) + " explains it best,"
-            " but leads something that is not in the library by too little to"
-            " be sure (gate gap).";
+            "It cannot be decided: " + theBest() + ", leads something that is not"
+            " in the library by too little to be sure (gate gap).";
     }
     else if (v == "unknown" && failedGates() == wordList({"computed"}))
     {

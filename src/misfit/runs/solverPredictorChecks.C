@@ -14,8 +14,8 @@
 namespace
 {
 
-//- A case that is read sets the precision of all streams: those of this program write
-//  what a run is named after
+//- A case that is read sets the precision of all new streams. With another one a
+//  second predictor of this program would give the same runs other names
 class keptPrecision
 {
     const unsigned before_ = Foam::IOstream::defaultPrecision();

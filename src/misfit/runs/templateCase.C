@@ -149,7 +149,8 @@ Foam::misfit::templateCase::templateCase
         {
             FatalErrorInFunction
                 << "The case " << folder_ << " has no " << part.c_str()
-                << exit(FatalError);
+                << ", which its runs are made of. Start misfitFoam in the folder of a"
+                << " case, or mend files in its dictionary" << exit(FatalError);
         }
     }
     digests_ = digests();

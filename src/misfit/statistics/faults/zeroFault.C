@@ -29,7 +29,6 @@ Foam::misfit::faultList Foam::misfit::zeroFault::possible
 )
 {
     // A number alone that is off by some is off by a share, too
-
     faultList all;
     if (!data->segments[i].isNumber())
     {
