@@ -67,7 +67,7 @@ std::string numberPlot
 }
 
 
-//- Distance of some four labels along an axis of that length: gnuplot's own overlap
+//- Distance of three to eight labels along an axis of that length: gnuplot's own overlap
 //  in three columns
 scalar labelStep(const scalar length)
 {

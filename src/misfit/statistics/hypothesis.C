@@ -200,7 +200,7 @@ Foam::misfit::hypothesisModel::starts() const
 
 void Foam::misfit::sortByScore(List<weighed>& list)
 {
-    std::sort
+    std::stable_sort
     (
         list.begin(),
         list.end(),

@@ -29,12 +29,7 @@ Foam::misfit::faultList Foam::misfit::cloggedFault::possible
     const label i
 )
 {
-    faultList all;
-    if (data->segments[i].overTime)
-    {
-        all.append(std::make_shared<const cloggedFault>(data, i));
-    }
-    return all;
+    return onlyIf<cloggedFault>(data->segments[i].overTime, data, i);
 }
 
 

@@ -30,12 +30,7 @@ Foam::misfit::faultList Foam::misfit::deadFault::possible
     const label i
 )
 {
-    faultList all;
-    if (isFlat(data->segments[i], data->y))
-    {
-        all.append(std::make_shared<const deadFault>(data, i));
-    }
-    return all;
+    return onlyIf<deadFault>(isFlat(data->segments[i], data->y), data, i);
 }
 
 

@@ -28,12 +28,7 @@ Foam::misfit::faultList Foam::misfit::driftFault::possible
     const label i
 )
 {
-    faultList all;
-    if (data->segments[i].overTime)
-    {
-        all.append(std::make_shared<const driftFault>(data, i));
-    }
-    return all;
+    return onlyIf<driftFault>(data->segments[i].overTime, data, i);
 }
 
 

@@ -27,7 +27,7 @@ Foam::misfit::faultList Foam::misfit::gainFault::possible
     const label i
 )
 {
-    return faultList(1, std::make_shared<const gainFault>(data, i));
+    return onlyIf<gainFault>(true, data, i);
 }
 
 

@@ -55,12 +55,7 @@ Foam::misfit::faultList Foam::misfit::lagFault::possible
     const label i
 )
 {
-    faultList all;
-    if (data->segments[i].overTime)
-    {
-        all.append(std::make_shared<const lagFault>(data, i));
-    }
-    return all;
+    return onlyIf<lagFault>(data->segments[i].overTime, data, i);
 }
 
 

@@ -45,12 +45,11 @@ Foam::misfit::faultList Foam::misfit::saturatedFault::possible
 )
 {
     const segment& s = data->segments[i];
-    faultList all;
-    if (staysAtTop(s, data->y) && !isFlat(s, data->y))
-    {
-        all.append(std::make_shared<const saturatedFault>(data, i));
-    }
-    return all;
+    return
+        onlyIf<saturatedFault>
+        (
+            staysAtTop(s, data->y) && !isFlat(s, data->y), data, i
+        );
 }
 
 

@@ -29,12 +29,7 @@ Foam::misfit::faultList Foam::misfit::zeroFault::possible
 )
 {
     // A number alone that is off by some is off by a share, too
-    faultList all;
-    if (!data->segments[i].isNumber())
-    {
-        all.append(std::make_shared<const zeroFault>(data, i));
-    }
-    return all;
+    return onlyIf<zeroFault>(!data->segments[i].isNumber(), data, i);
 }
 
 
