@@ -232,7 +232,7 @@ Foam::misfit::diagnosis::harmGate(const heldOut& h) const
 }
 
 
-Foam::misfit::diagnosis::winner
+Foam::misfit::weighed
 Foam::misfit::diagnosis::winnerWithout(const label segment) const
 {
     const auto rest(fit_->without(segment, width_));
@@ -263,10 +263,10 @@ Foam::misfit::diagnosis::winnerWithout(const label segment) const
          && !w.what.contains(best().what) && !best().what.contains(w.what);
         if (other && told(w.what, names) != here && w.score < own - settings_.gap)
         {
-            return {told(w.what, names), w.what.mechanisms};
+            return w;
         }
     }
-    return {here, best().what.mechanisms};
+    return best();
 }
 
 
@@ -283,13 +283,13 @@ Foam::misfit::gate Foam::misfit::diagnosis::stabilityGate()
     {
         if (applies)
         {
-            const winner w(winnerWithout(i));
-            const bool stable = w.name == told(best().what, mechanismNames());
+            const weighed w(winnerWithout(i));
+            const bool stable = isAmong({best()}, w);
             ++asked;
             held += stable;
             lost += stable ? "" : " " + channels[i].name;
             labelList both;
-            for (const label m : w.mechanisms)
+            for (const label m : w.what.mechanisms)
             {
                 if (stable_.found(m))
                 {
@@ -297,10 +297,9 @@ Foam::misfit::gate Foam::misfit::diagnosis::stabilityGate()
                 }
             }
             stable_ = both;
-            const word name(w.name, false);
-            if (!stable && !winners_.found(name))
+            if (!stable && !isAmong(winners_, w))
             {
-                winners_.append(name);
+                winners_.append(w);
             }
         }
     }

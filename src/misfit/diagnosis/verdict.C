@@ -181,12 +181,11 @@ void Foam::misfit::diagnosis::callSet(List<weighed>& all)
     all = simplest(all);
     found_.verdict = "set";
     found_.names.clear();
-    set_.clear();
     for (const weighed& w : all)
     {
         found_.names.append(word(told(w.what, mechanismNames()), false));
-        set_.append(w.what);
     }
+    set_ = all;
 }
 
 
@@ -208,11 +207,9 @@ void Foam::misfit::diagnosis::weaken(List<weighed>& near)
         near = List<weighed>(1, best());
         near[0].what.unknown = false;
     }
-    const wordList held(found_.names);
-    for (const weighed& w : found_.explanations)
+    for (const weighed& w : winners_)
     {
-        const word name(told(w.what, mechanismNames()), false);
-        if (winners_.found(name) && !held.found(name))
+        if (!isAmong(near, w))
         {
             near.append(w);
         }
@@ -410,9 +407,20 @@ bool Foam::misfit::diagnosis::hasAllThatIsNamed(const weighed& w) const
 }
 
 
-bool Foam::misfit::diagnosis::isInSet(const weighed& w) const
+bool Foam::misfit::diagnosis::isAmong
+(
+    const List<weighed>& list,
+    const weighed& w
+) const
 {
-    return found_.names.found(word(told(w.what, mechanismNames()), false));
+    const wordList names(mechanismNames());
+    const string name(told(w.what, names));
+    return std::any_of
+    (
+        list.begin(),
+        list.end(),
+        [&](const weighed& other) { return told(other.what, names) == name; }
+    );
 }
 
 
@@ -428,7 +436,7 @@ void Foam::misfit::diagnosis::confide()
           : found_.blamesChannel()
           ? isFault(w) && w.what.fault->channel() == found_.names[0]
           : v == "unknown" ? w.what.isOnlyUnknown()
-          : v == "set" ? w.score < lowest + settings_.gap || isInSet(w)
+          : v == "set" ? w.score < lowest + settings_.gap || isAmong(set_, w)
           : hasAllThatIsNamed(w);
         sum += counts ? w.probability : 0;
     }

@@ -44,20 +44,20 @@ Foam::string Foam::misfit::diagnosis::theBest() const
 Foam::string Foam::misfit::diagnosis::alternatives() const
 {
     bool mixed = false;
-    for (const hypothesis& h : set_)
+    for (const weighed& w : set_)
     {
-        mixed = mixed || h.mechanisms.size() > 1;
+        mixed = mixed || w.what.mechanisms.size() > 1;
     }
     if (!mixed)
     {
         return inWords(found_.names, "or");
     }
     string words;
-    for (const hypothesis& h : set_)
+    for (const weighed& w : set_)
     {
         words +=
-            (words.empty() ? "" : ", or ") + told(h, mechanismNames())
-          + (h.mechanisms.size() > 1 ? " together" : "");
+            (words.empty() ? "" : ", or ") + told(w.what, mechanismNames())
+          + (w.what.mechanisms.size() > 1 ? " together" : "");
     }
     return words;
 }
