@@ -177,7 +177,10 @@ TEST(misfitDiagnosis, theSimplerOneIsNotCalledTheBest)
     EXPECT_NE(f.posterior.first().first(), world::mechanism(0));
     EXPECT_NE
     (
-        f.told.find("the best simple explanation, " + world::mechanism(0) + ", "),
+        f.told.find
+        (
+            "the best simple explanation, " + world::mechanism(0) + " ("
+        ),
         std::string::npos
     ) << f.told;
 }

@@ -263,6 +263,12 @@ Foam::fileNameList Foam::misfit::caseFolders(const fileName& folder)
             all.append(folder/d);
         }
     }
+    if (all.empty())
+    {
+        FatalErrorInFunction
+            << "There are no cases in " << folder << ": make some with -make, or give"
+            << " another -folder" << exit(FatalError);
+    }
     std::sort(all.begin(), all.end());
     return all;
 }

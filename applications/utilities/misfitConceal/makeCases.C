@@ -136,12 +136,25 @@ wordList fittedChannels(const recordings& all)
 
 
 //- The key that is there, or a new one with that seed
-json begunKey(const fileName& keyFile, const label seed)
+json begunKey
+(
+    const fileName& keyFile,
+    const label seed,
+    const bool mustBeThatSeed
+)
 {
     if (isFile(keyFile, false))
     {
         std::ifstream is(keyFile);
-        return json::parse(is);
+        const json key = json::parse(is);
+        if (mustBeThatSeed && key["seed"] != seed)
+        {
+            FatalErrorInFunction
+                << "The key " << keyFile << " has another seed than " << seed
+                << ". Leave -seed out to go on with it, or remove it and its cases"
+                << exit(FatalError);
+        }
+        return key;
     }
     const json key = {{"seed", seed}, {"cases", json::array()}};
     writeWhole(keyFile, key.dump(1) + '\n');
@@ -157,13 +170,14 @@ void Foam::misfit::makeCases
     const fileName& folder,
     const fileName& keyFile,
     const label n,
-    const label seed
+    const label seed,
+    const bool mustBeThatSeed
 )
 {
-    json key(begunKey(keyFile, seed));
+    json key(begunKey(keyFile, seed, mustBeThatSeed));
     if (!key["cases"].empty())
     {
-        Info<< "The cases are made already" << endl;
+        Info<< key["cases"].size() << " cases are made already" << endl;
         return;
     }
     const recordings& all = truth.bare();

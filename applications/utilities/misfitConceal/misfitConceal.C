@@ -57,6 +57,29 @@ scalar difference
     return largest;
 }
 
+//- Of a path as it is given: from where the program was started
+fileName absolute(fileName path)
+{
+    return path.toAbsolute();
+}
+
+
+//- Fatal if there is nothing to do
+void checkAction(const argList& args)
+{
+    bool any = false;
+    for (const char* what : {"make", "diagnose", "score", "check"})
+    {
+        any = any || args.found(what);
+    }
+    if (!any || (args.found("make") && args.get<label>("make") < 1))
+    {
+        FatalErrorInFunction
+            << "Nothing to do: give -make with a number above 0, -diagnose, -score or"
+            << " -check" << exit(FatalError);
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -65,25 +88,29 @@ int main(int argc, char* argv[])
     addOptions();
     UPstream::initNull();
     const argList args(argc, argv);
+    checkAction(args);
     const fileName slice(args.path());
-    const fileName folder(args.get<fileName>("folder"));
+    const fileName folder(absolute(args.get<fileName>("folder")));
     const fileName key
     (
-        args.lookupOrDefault<fileName>("key", folder/"key.json")
+        absolute(args.lookupOrDefault<fileName>("key", folder/"key.json"))
     );
     const fileName banks
     (
-        args.lookupOrDefault<fileName>("bank", slice/"bank")
+        absolute(args.lookupOrDefault<fileName>("bank", slice/"bank"))
     );
     const bool solver = args.found("solver");
-    mkDir(folder);
 
     if (args.found("make"))
     {
         concealedSide truth(slice, banks, "truth", solver);
-        const label seed =
-            args.lookupOrDefault<label>("seed", label(std::random_device()() >> 1));
-        makeCases(truth, folder, key, args.get<label>("make"), seed);
+        const label secret = label(std::random_device()() >> 1);
+        mkDir(folder);
+        makeCases
+        (
+            truth, folder, key, args.get<label>("make"),
+            args.lookupOrDefault<label>("seed", secret), args.found("seed")
+        );
     }
     if (args.found("diagnose") || args.found("score"))
     {

@@ -28,16 +28,27 @@ string inWords(const wordList& list, const string& last)
 
 Foam::string Foam::misfit::diagnosis::theBest() const
 {
-    // One with less on may be judged in the place of the first
-    bool simpler = false;
+    const hypothesis& what = best().what;
+    if (what.fault)
+    {
+        return
+            "the best explanation, a fault of " + what.fault->channel() + " ("
+          + what.fault->told() + ")";
+    }
     for (const weighed& w : found_.explanations)
     {
-        simpler =
-            simpler || (w.score == lowestScore() && w.what.extends(best().what));
+        const bool more =
+            w.what.mechanisms.size() > what.mechanisms.size()
+         && w.what.contains(what);
+        if (more && w.score == lowestScore())
+        {
+            return
+                "the best simple explanation, " + told(what, mechanismNames())
+              + " (" + told(w.what, mechanismNames())
+              + " match better, but by too little to be told from it)";
+        }
     }
-    return
-        string(simpler ? "the best simple explanation, " : "the best explanation, ")
-      + told(best().what, mechanismNames());
+    return "the best explanation, " + told(what, mechanismNames());
 }
 
 
@@ -67,13 +78,13 @@ Foam::string Foam::misfit::diagnosis::whatFails() const
 {
     if (best().what.isOnlyUnknown())
     {
-        return "nothing in it explains it.";
+        return ".";
     }
     const wordList failed(failedGates());
     const bool agreesElsewhere =
         passed("heldOut") && passed("harm") && passed("transfer");
     return
-        theBest() + ", "
+        " well enough: " + theBest() + ", "
       + (failed.empty() ? string("leads too little")
           : "does not pass " + inWords(failed, "and"))
       + (agreesElsewhere ? ". Two faulty sensors look like that, too." : ".")
@@ -114,14 +125,14 @@ Foam::string Foam::misfit::diagnosis::whatMayBeAdded() const
     {
         const bool better =
             w.what.mechanisms.size() > best().what.mechanisms.size()
-         && w.what.contains(best().what)
+         && w.what.contains(best().what) && w.what.unknown == best().what.unknown
          && w.score == lowestScore() && w.score < best().score - mention;
         if (better)
         {
             return
                 " Together, " + told(w.what, mechanismNames())
-              + " match better still; another formula of what is named would do"
-                " that, too.";
+              + " match better, but by no more than another formula of what is"
+                " named may.";
         }
     }
     return "";
@@ -179,8 +190,8 @@ Foam::string Foam::misfit::diagnosis::whatElsewhereSays() const
         if (h.use == purpose::gate && h.squareBefore >= limitOfNothing(h))
         {
             return
-                "held-out ones do not (gate " + inWords(failedGates(), "and")
-              + "). Fit those too to learn why.";
+                "held-out ones do not (they do not pass "
+              + inWords(failedGates(), "and") + "). Fit those too to learn why.";
         }
     }
     return
@@ -238,7 +249,7 @@ Foam::string Foam::misfit::diagnosis::whatIsLeftOut() const
     words += whatIsStillOff();
     if (!wasTried())
     {
-        words += " No held-out data with a misfit confirm it.";
+        words += " No held-out data had a misfit that could confirm it.";
     }
     return words;
 }
@@ -264,7 +275,7 @@ void Foam::misfit::diagnosis::describe()
     {
         found_.told =
             "It cannot be decided: " + theBest() + ", leads something that is not"
-            " in the library by too little to be sure (gate gap).";
+            " in the library by too little to be sure.";
     }
     else if (v == "unknown" && failedGates() == wordList({"computed"}))
     {
@@ -273,7 +284,7 @@ void Foam::misfit::diagnosis::describe()
     else if (v == "unknown")
     {
         found_.told =
-            "Something is missing that is not in the library, or not only that: "
+            "Something is missing, and nothing in the library explains it"
           + whatFails();
         if (failedExperiments_.size())
         {
