@@ -33,7 +33,7 @@ Foam::string Foam::misfit::diagnosis::theBest() const
     {
         return
             "the best explanation, a fault of " + what.fault->channel() + " ("
-          + what.fault->told() + ")";
+          + what.fault->type() + ")";
     }
     for (const weighed& w : found_.explanations)
     {
@@ -125,12 +125,14 @@ Foam::string Foam::misfit::diagnosis::whatMayBeAdded() const
     {
         const bool better =
             w.what.mechanisms.size() > best().what.mechanisms.size()
-         && w.what.contains(best().what) && w.what.unknown == best().what.unknown
+         && w.what.contains(best().what)
          && w.score == lowestScore() && w.score < best().score - mention;
         if (better)
         {
+            hypothesis named(w.what);
+            named.unknown = false;
             return
-                " Together, " + told(w.what, mechanismNames())
+                " Together, " + told(named, mechanismNames())
               + " match better, but by no more than another formula of what is"
                 " named may.";
         }
