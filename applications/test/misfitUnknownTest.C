@@ -90,6 +90,22 @@ class correctedWorld
     //- Share by which a finer mesh changes B
     scalar finer_ = 0;
 
+    bool failsWhereFitted_ = false;
+
+
+    //- True if an element has another value than that at which it is computed alone
+    bool isFitted(const runState& state) const
+    {
+        for (const correctionElement& e : elements_)
+        {
+            const scalar value = state.strengths.lookup(e.name, 0);
+            if (value != 0 && mag(value - e.size) > SMALL)
+            {
+                return true;
+            }
+        }
+        return false;
+    }
 
     vec simulated
     (
@@ -163,12 +179,22 @@ public:
         finer_ = share;
     }
 
+    void failWhereFitted()
+    {
+        failsWhereFitted_ = true;
+    }
+
     List<samples> operator()(const List<runState>& states) override
     {
         List<samples> all(states.size());
         forAll(states, i)
         {
             const runState& s = states[i];
+            if (failsWhereFitted_ && isFitted(s))
+            {
+                all[i].failure = "it diverged";
+                continue;
+            }
             vec x = vec::Zero(world_.bounds.mean.size());
             x[0] = s.parameters.lookup("release", 0);
             x[1] = s.parameters.lookup("friction", 0);
@@ -318,6 +344,29 @@ TEST(misfitUnknown, aPushThatNoCandidateIsIsFoundInItsPlace)
         EXPECT_FALSE(f.correction.transfers);
         EXPECT_FALSE(f.correction.named);
     }
+}
+
+
+TEST(misfitUnknown, whereTheSolverFailsWithTheFittedPushThatOfTheSurfaceIsTold)
+{
+    HashTable<scalar> truth;
+    truth.insert("push2_2", -45);
+    correctedWorld w(truth, HashTable<scalar>(), 500);
+    w.failWhereFitted();
+    const finding f(diagnosed(w));
+    EXPECT_EQ(f.verdict, "unknown");
+    EXPECT_FALSE(f.correction.named);
+    ASSERT_FALSE(f.correction.parts.empty());
+    EXPECT_EQ(f.correction.parts.first().name, "push2_2");
+    EXPECT_NEAR(f.correction.parts.first().value, -45, 10);
+
+    ASSERT_FALSE(f.correction.held.empty());
+    EXPECT_GT(removed(f.correction.held[0]), 0.7);
+    EXPECT_NE
+    (
+        f.told.find("The solver fails with it: these numbers are of the"),
+        std::string::npos
+    ) << f.told;
 }
 
 

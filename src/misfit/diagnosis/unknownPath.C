@@ -244,6 +244,7 @@ Foam::misfit::unknownPath::refitted(const fit& f)
     fit now(s.best);
     now.given = s.given;
     now.variables = s.variables;
+    now.failure = s.failure;
     if (s.failure.size())
     {
         now.variables = with.expand(now);
@@ -421,6 +422,6 @@ Foam::misfit::unknownPath::operator()(const List<vec>& parameterDesign)
         found_.left = left(best);
         holdOut(best, found_.explained ? &laws[best_] : nullptr);
     }
-    describe();
+    describe(best);
     return found_;
 }

@@ -152,7 +152,7 @@ void Foam::misfit::unknownPath::holdOut
 }
 
 
-void Foam::misfit::unknownPath::describe()
+void Foam::misfit::unknownPath::describe(const fit& best)
 {
     string gone;
     string worse;
@@ -174,7 +174,7 @@ void Foam::misfit::unknownPath::describe()
 
     found_.named =
         found_.explained && found_.transfers && holds
-     && found_.left >= settings_.adequacy;
+     && found_.left >= settings_.adequacy && best.failure.empty();
     if (found_.parts.empty() && !found_.explained)
     {
         found_.told =
@@ -203,6 +203,11 @@ void Foam::misfit::unknownPath::describe()
     {
         found_.told += " It does not hold at " + worse + '.';
     }
+    if (best.failure.size())
+    {
+        found_.told +=
+            " The solver fails with it: these numbers are of the response surface.";
+    }
     if (!found_.named)
     {
         found_.told +=
@@ -212,6 +217,7 @@ void Foam::misfit::unknownPath::describe()
           ? " This law is not named, since no other experiment confirms it."
           : !holds
           ? " This law is not named, since held-out channels are matched worse."
+          : best.failure.size() ? " This law is not named, since the solver fails."
           : " This law is not named, since it leaves too much.";
     }
 }
