@@ -2,10 +2,12 @@
 // Whole diagnoses of a surge in closed form, whose truth has other formulas
 // than the library: the verdict and what it says.
 
+#include "report.H"
 #include "testNumber.H"
 #include "worldDiagnosis.H"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 using namespace Foam;
 using namespace Foam::misfit;
@@ -235,6 +237,12 @@ TEST(misfitDiagnosis, aFaultySensorIsBlamedAndNotPhysics)
     EXPECT_EQ(f.names, wordList({"P1"}));
     EXPECT_NE(f.told.find("zero"), std::string::npos) << f.told;
     EXPECT_NE(f.told.find(" Pa too high"), std::string::npos) << f.told;
+    EXPECT_NE(f.told.find(" % of that (95 %)"), std::string::npos) << f.told;
+    const auto fault = nlohmann::json::parse(verdictJson(f, "case"))["fault"];
+    const scalar deviation = fault["deviations"][0];
+    EXPECT_GT(deviation, 1);
+    EXPECT_LT(deviation, 30);
+    EXPECT_NEAR(scalar(fault["values"][0]), 90, 3*deviation);
 }
 
 

@@ -257,6 +257,23 @@ Foam::string Foam::misfit::diagnosis::whatIsLeftOut() const
 }
 
 
+Foam::string Foam::misfit::diagnosis::faultInWords() const
+{
+    const hypothesisModel model(fit_->surface(), bounds_, best().what);
+    const vec size = model.ofFault(best().best.x);
+    OStringStream os;
+    os.precision(2);
+    os << best().what.fault->told(size).c_str();
+    const scalar deviation =
+        size.size() == 1 ? best().best.deviation(best().best.x.size() - 1) : 0;
+    if (deviation > 0 && mag(size[0]) > 0)
+    {
+        os << ", +- " << 200*deviation/mag(size[0]) << " % of that (95 %)";
+    }
+    return os.str();
+}
+
+
 void Foam::misfit::diagnosis::describe()
 {
     const word& v = found_.verdict;
@@ -297,14 +314,13 @@ void Foam::misfit::diagnosis::describe()
     }
     else if (found_.blamesChannel())
     {
-        const hypothesisModel m(fit_->surface(), bounds_, best().what);
         found_.told =
             (
                 v == "sensor"
               ? "A sensor, or something that no other channel sees: "
               : "Not physics: "
             )
-          + best().what.fault->told(m.ofFault(best().best.x)) + '.';
+          + faultInWords() + '.';
     }
     else
     {

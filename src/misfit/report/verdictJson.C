@@ -98,12 +98,15 @@ json fault(const finding& f)
     {
         return nullptr;
     }
-    const vec& x = f.explanations.first().best.x;
+    const fitted& best = f.explanations.first().best;
+    const label n = what.fault->size();
+    const vec deviations = best.covariance.diagonal().cwiseMax(0).cwiseSqrt();
     return
     {
         {"channel", what.fault->channel()},
         {"kind", what.fault->type()},
-        {"values", numbers(x.tail(what.fault->size()))}
+        {"values", numbers(best.x.tail(n))},
+        {"deviations", numbers(deviations.tail(n))}
     };
 }
 
