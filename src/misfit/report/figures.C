@@ -274,7 +274,10 @@ Foam::List<Foam::fileName> Foam::misfit::drawFigures
         if (h.what.find("channels") != string::npos)
         {
             writeMap(map, h.data, h.sigma, h.before, h.after, row);
-            addRows(h.data, " (held out)");
+            addRows
+            (
+                h.data, h.use == purpose::gate ? " (held out)" : " (only told)"
+            );
         }
     }
     map.close();

@@ -305,7 +305,7 @@ std::string caption(const finding& f, const fileName& file)
     if (name == "map")
     {
         return
-            "Each channel over time: red where the recording is higher than the"
+            "Each channel over time or distance: red where the recording is higher than the"
             " simulation, blue where it is lower, in standard deviations.";
     }
     if (name == "fitted")

@@ -8,6 +8,8 @@
 #include "OSspecific.H"
 #include "SHA1.H"
 
+#include <cmath>
+
 namespace
 {
 
@@ -353,8 +355,8 @@ void Foam::misfit::solverPredictor::tell
     }
     if (left && doneTold_)
     {
-        Info<< "    about " << secondsTold_/doneTold_*left/store_.jobs()/60
-            << " min for the " << left << " to do" << nl;
+        const scalar minutes = secondsTold_/doneTold_*left/store_.jobs()/60;
+        Info<< "    about " << std::ceil(minutes) << " min for the " << left << " to do" << nl;
     }
     Info<< endl;
 }
