@@ -250,7 +250,11 @@ Foam::misfit::diagnosis::winnerWithout(const label segment) const
     scalar own = GREAT;
     for (const weighed& w : all)
     {
-        if (told(w.what, names) == here)
+        // Something unknown beside it is not weighed with all
+        const bool same =
+            !w.what.fault && w.what.contains(best().what)
+         && best().what.contains(w.what);
+        if (told(w.what, names) == here || (same && own == GREAT))
         {
             own = w.score;
         }
@@ -275,7 +279,6 @@ Foam::misfit::gate Foam::misfit::diagnosis::stabilityGate()
     const List<segment>& channels = fit_->data().segments;
     label held = 0;
     label asked = 0;
-    string lost;
     const bool applies =
         channels.size() > 1 && best().what.mechanisms.size();
     stable_ = best().what.mechanisms;
@@ -287,7 +290,10 @@ Foam::misfit::gate Foam::misfit::diagnosis::stabilityGate()
             const bool stable = isAmong({best()}, w);
             ++asked;
             held += stable;
-            lost += stable ? "" : " " + channels[i].name;
+            if (!stable)
+            {
+                hangsOn_.append(channels[i].name);
+            }
             labelList both;
             for (const label m : w.what.mechanisms)
             {
@@ -302,6 +308,11 @@ Foam::misfit::gate Foam::misfit::diagnosis::stabilityGate()
                 winners_.append(w);
             }
         }
+    }
+    string lost;
+    for (const word& name : hangsOn_)
+    {
+        lost += ' ' + name;
     }
     return
     {

@@ -7,19 +7,36 @@
 
 Foam::misfit::mat Foam::misfit::diagnosis::predictionErrors() const
 {
-    const hypothesisModel model(gate_->surface(), bounds_, best().what);
-    const mat slopes = model.slopes(best().best.x);
-    return
-        slopes*best().best.covariance*slopes.transpose()
-      + gate_->weigh(settings_.formulaTolerance).otherFormula(best());
+    // A variable at a bound is as uncertain as the others
+    const vec& x = best().best.x;
+    const hypothesisModel here(fit_->surface(), bounds_, best().what);
+    const mat slopes = whitener(best().covariance)(here.slopes(x));
+    const vec prior = here.deviation();
+    mat curvature = slopes.transpose()*slopes;
+    for (label i = 0; i < prior.size(); ++i)
+    {
+        curvature(i, i) += prior[i] > 0 ? 1/sqr(prior[i]) : VSMALL;
+    }
+
+    const mat there =
+        hypothesisModel(gate_->surface(), bounds_, best().what).slopes(x);
+    const weighing weigh(gate_->weigh(settings_.formulaTolerance));
+    mat errors =
+        there*curvature.ldlt().solve(mat(there.transpose()))
+      + weigh.otherFormula(best());
+    if (best().what.unknown)
+    {
+        errors += weigh.unknownShape(best().amplitude, best().length);
+    }
+    return errors;
 }
 
 
 Foam::scalar
 Foam::misfit::diagnosis::chanceOfHarm(const heldOut& h) const
 {
-    // What a right prediction leaves has nothing to do with the effect that it
-    // predicts; where it points against the effect, too much was predicted
+    // Given the effect that it predicts, what a right prediction leaves has the mean
+    // nought; where it points against the effect, too much was predicted
     const covariance known(h.data, gate_->uncertainty());
     const whitener white(known.at(h.after));
     const vec effect = white(vec(h.after - h.before));

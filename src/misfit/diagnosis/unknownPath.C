@@ -312,6 +312,10 @@ Foam::misfit::unknownPath::fit Foam::misfit::unknownPath::explain
             break;
         }
         first = refitted(first);
+        if (first.failure.size())
+        {
+            first.score = GREAT;
+        }
         sort();
     }
 

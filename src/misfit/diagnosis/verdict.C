@@ -202,19 +202,24 @@ void Foam::misfit::diagnosis::weaken(List<weighed>& near)
         partly_ = true;
         return;
     }
-    if (found_.verdict == "named")
-    {
-        near = List<weighed>(1, best());
-        near[0].what.unknown = false;
-    }
+    near = found_.verdict == "named" ? List<weighed>(1, best()) : simplest(near);
+    near[0].what.unknown = near[0].what.unknown && found_.verdict == "set";
     for (const weighed& w : winners_)
     {
-        if (!isAmong(near, w))
+        // What all data support does not give way to what wins on fewer
+        bool another = !isAmong(near, w);
+        for (const weighed& n : near)
+        {
+            another =
+                another && !n.what.extends(w.what) && !w.what.extends(n.what);
+        }
+        if (another)
         {
             near.append(w);
         }
     }
     callSet(near);
+    weakened_ = true;
 }
 
 
@@ -300,7 +305,7 @@ void Foam::misfit::diagnosis::decide()
     {
         found_.answer.append(namedState());
     }
-    if (found_.verdict == "set")
+    if (found_.verdict == "set" && !weakened_)
     {
         advise(near);
     }

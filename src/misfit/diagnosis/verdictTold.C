@@ -29,11 +29,17 @@ string inWords(const wordList& list, const string& last)
 Foam::string Foam::misfit::diagnosis::theBest() const
 {
     const hypothesis& what = best().what;
+    if (what.isNone() || what.isOnlyUnknown())
+    {
+        return
+            what.isNone() ? "that nothing is missing"
+          : "that it is something that is not in the library";
+    }
     if (what.fault)
     {
         return
             "the best explanation, a fault of " + what.fault->channel() + " ("
-          + what.fault->type() + ")";
+          + what.fault->kind() + ")";
     }
     for (const weighed& w : found_.explanations)
     {
@@ -57,7 +63,9 @@ Foam::string Foam::misfit::diagnosis::alternatives() const
     bool mixed = false;
     for (const weighed& w : set_)
     {
-        mixed = mixed || w.what.mechanisms.size() > 1;
+        mixed =
+            mixed || w.what.mechanisms.size() > 1
+         || (w.what.unknown && w.what.mechanisms.size());
     }
     if (!mixed)
     {
@@ -239,6 +247,9 @@ Foam::string Foam::misfit::diagnosis::whatIsLeftOut() const
     (
         named
       ? "Left out: " + inWords(found_.names, "and")
+      : weakened_
+      ? "Left out is one of these: " + alternatives() + ". Which one it is hangs on "
+      + inWords(hangsOn_, "and")
       : "Left out is one of these, which these channels cannot tell apart: "
       + alternatives() + (mayBeTogether() ? ", or both" : "")
     );
@@ -266,7 +277,7 @@ Foam::string Foam::misfit::diagnosis::faultInWords() const
     os << best().what.fault->told(size).c_str();
     const scalar deviation =
         size.size() == 1 ? best().best.deviation(best().best.x.size() - 1) : 0;
-    if (deviation > 0 && mag(size[0]) > 0)
+    if (best().what.fault->hasSize() && deviation > 0 && mag(size[0]) > deviation)
     {
         os << ", +- " << 200*deviation/mag(size[0]) << " % of that (95 %)";
     }

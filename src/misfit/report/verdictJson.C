@@ -100,13 +100,17 @@ json fault(const finding& f)
     }
     const fitted& best = f.explanations.first().best;
     const label n = what.fault->size();
-    const vec deviations = best.covariance.diagonal().cwiseMax(0).cwiseSqrt();
+    json deviations = json::array();
+    for (label i = best.x.size() - n; i < best.x.size(); ++i)
+    {
+        deviations.push_back(deviation(best.deviation(i), best.pinned[i]));
+    }
     return
     {
         {"channel", what.fault->channel()},
         {"kind", what.fault->type()},
         {"values", numbers(best.x.tail(n))},
-        {"deviations", numbers(deviations.tail(n))}
+        {"deviations", deviations}
     };
 }
 
