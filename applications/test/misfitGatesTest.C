@@ -428,7 +428,7 @@ TEST(misfitGates, theMisfitIsMovedInTimeOnlyWhereNoHeldOutDataConfirmTheAnswer)
 }
 
 
-TEST(misfitGates, whereTooMuchIsLeftItIsSaidThatThereIsMoreToIt)
+TEST(misfitGates, whereTooMuchIsLeftThereIsMoreToItAndTheNameIsLessSure)
 {
     const vec added(strangeWave(75));
     settings set(worldSettings());
@@ -443,4 +443,6 @@ TEST(misfitGates, whereTooMuchIsLeftItIsSaidThatThereIsMoreToIt)
     show(f);
     EXPECT_EQ(f.names, enough.names);
     EXPECT_NE(f.told.find("There is more to it"), std::string::npos) << f.told;
+    EXPECT_GT(enough.confidence, 0.9);
+    EXPECT_LT(f.confidence, 0.9);
 }

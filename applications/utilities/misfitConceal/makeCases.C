@@ -135,33 +135,36 @@ wordList fittedChannels(const recordings& all)
 }
 
 
-//- The key that is there, or a new one with that seed
-json begunKey
+json readKey(const fileName& file)
+{
+    std::ifstream is(file);
+    return json::parse(is);
+}
+
+} // End anonymous namespace
+
+
+void Foam::misfit::beginKey
 (
     const fileName& keyFile,
     const label seed,
     const bool mustBeThatSeed
 )
 {
-    if (isFile(keyFile, false))
+    if (!isFile(keyFile, false))
     {
-        std::ifstream is(keyFile);
-        const json key = json::parse(is);
-        if (mustBeThatSeed && key["seed"] != seed)
-        {
-            FatalErrorInFunction
-                << "The key " << keyFile << " has another seed than " << seed
-                << ". Leave -seed out to go on with it, or remove it and its cases"
-                << exit(FatalError);
-        }
-        return key;
+        const json key = {{"seed", seed}, {"cases", json::array()}};
+        writeWhole(keyFile, key.dump(1) + '\n');
+        return;
     }
-    const json key = {{"seed", seed}, {"cases", json::array()}};
-    writeWhole(keyFile, key.dump(1) + '\n');
-    return key;
+    if (mustBeThatSeed && readKey(keyFile)["seed"] != seed)
+    {
+        FatalErrorInFunction
+            << "The key " << keyFile << " has another seed than " << seed
+            << ". Leave -seed out to go on with it, or remove it and its cases"
+            << exit(FatalError);
+    }
 }
-
-} // End anonymous namespace
 
 
 void Foam::misfit::makeCases
@@ -169,12 +172,10 @@ void Foam::misfit::makeCases
     concealedSide& truth,
     const fileName& folder,
     const fileName& keyFile,
-    const label n,
-    const label seed,
-    const bool mustBeThatSeed
+    const label n
 )
 {
-    json key(begunKey(keyFile, seed, mustBeThatSeed));
+    json key(readKey(keyFile));
     if (!key["cases"].empty())
     {
         Info<< key["cases"].size() << " cases are made already" << endl;

@@ -51,11 +51,18 @@ scalar difference
     scalar largest = 0;
     for (const word& side : sides)
     {
+        if (!isFile(banks/side + ".txt", false))
+        {
+            FatalErrorInFunction
+                << "There is no bank " << banks/side + ".txt" << " to check: -make and"
+                << " -diagnose without -solver compute it" << exit(FatalError);
+        }
         largest =
             max(largest, concealedSide(slice, banks, side, false).difference(1));
     }
     return largest;
 }
+
 
 //- Of a path as it is given: from where the program was started
 fileName absolute(fileName path)
@@ -103,14 +110,13 @@ int main(int argc, char* argv[])
 
     if (args.found("make"))
     {
-        concealedSide truth(slice, banks, "truth", solver);
+        // Before a bank is computed
         const label secret = label(std::random_device()() >> 1);
+        const label seed = args.lookupOrDefault<label>("seed", secret);
         mkDir(folder);
-        makeCases
-        (
-            truth, folder, key, args.get<label>("make"),
-            args.lookupOrDefault<label>("seed", secret), args.found("seed")
-        );
+        beginKey(key, seed, args.found("seed"));
+        concealedSide truth(slice, banks, "truth", solver);
+        makeCases(truth, folder, key, args.get<label>("make"));
     }
     if (args.found("diagnose") || args.found("score"))
     {

@@ -254,7 +254,7 @@ Foam::string Foam::misfit::diagnosis::whatIsLeftOut() const
       + alternatives() + (mayBeTogether() ? ", or both" : "")
     );
     words += strengthsInWords() + '.';
-    if (named && (partly_ || best().what.unknown))
+    if (named && hasMore())
     {
         words += " There is more to it, which these channels do not settle.";
     }
