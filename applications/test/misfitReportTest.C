@@ -203,7 +203,7 @@ TEST(misfitReport, theConfidenceSaysOfWhat)
     );
     f.names.append("gate");
     f.verdict = "set";
-    EXPECT_TRUE(says(box(f), "90 % that it is one of these"));
+    EXPECT_TRUE(says(box(f), "90 % that one of these is at least part"));
     f.verdict = "sensor";
     f.names = {"P1"};
     EXPECT_TRUE(says(box(f), "90 % that the fault is at P1"));

@@ -400,6 +400,31 @@ TEST(misfitFit, aBoundHoldsAndIsTold)
 }
 
 
+TEST(misfitFit, withinBoundsNoVariableIsSurerOrLessSureThanTheyLeave)
+{
+    const whitener white(mat::Identity(3, 3));
+    line l(threePoints());
+
+    // At a bound, and by the prior: the closed form
+    l.most = vec::Zero(2);
+    const mat curvature =
+        l.a.transpose()*l.a + mat(vec::Constant(2, 0.01).asDiagonal());
+    const mat known = covarianceWithin(l, white, vec::Zero(2));
+    EXPECT_LT((known*curvature - mat::Identity(2, 2)).norm(), 1e-10);
+
+    // Two that act alike: along what no sample shows, the width of the bounds
+    l.a << 1, 2, 1, 2, 1, 2;
+    l.priorDeviation.setZero();
+    l.least = vec::Zero(2);
+    l.most = vec::Constant(2, 2);
+    vec hidden(2);
+    hidden << 2, -1;
+    hidden.normalize();
+    const mat open = covarianceWithin(l, white, vec::Zero(2));
+    EXPECT_NEAR(hidden.dot(open*hidden), 4, 1e-6);
+}
+
+
 TEST(misfitScan, falseAlarmsAreAsFewAsSaid)
 {
     const world w;

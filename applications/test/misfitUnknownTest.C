@@ -403,6 +403,33 @@ TEST(misfitUnknown, anotherDragLawIsRegressedOnTheReynoldsNumber)
 }
 
 
+TEST(misfitUnknown, aLawWithWhichTheSolverFailsIsToldAndNoOtherIsNamed)
+{
+    HashTable<scalar> truth;
+    for (const correctionElement& e : elements())
+    {
+        if (e.family == "drag")
+        {
+            truth.insert(e.name, 0.2*std::log(e.Reynolds/100));
+        }
+    }
+    correctedWorld w(truth, truth, 600);
+    w.failWhereFitted();
+    const finding f(diagnosed(w));
+    EXPECT_EQ(f.verdict, "unknown");
+    EXPECT_FALSE(f.correction.explained);
+    EXPECT_NE(f.told.find("fails with one that may say as much"), std::string::npos)
+        << f.told;
+    scalar lead = -GREAT;
+    for (const correctionFound::law& l : f.correction.laws)
+    {
+        EXPECT_GT(l.lead, -1e6) << l.words;
+        lead = max(lead, l.lead);
+    }
+    EXPECT_GT(lead, 0);
+}
+
+
 TEST(misfitUnknown, theSameLawInOneExperimentOnlyIsNotNamed)
 {
     HashTable<scalar> truth;

@@ -54,8 +54,8 @@ scalar difference
         if (!isFile(banks/side + ".txt", false))
         {
             FatalErrorInFunction
-                << "There is no bank " << banks/side + ".txt" << " to check: -make and"
-                << " -diagnose without -solver compute it" << exit(FatalError);
+                << "There is no bank " << banks/side + ".txt" << " to check: -make,"
+                << " -diagnose and -score without -solver compute it" << exit(FatalError);
         }
         largest =
             max(largest, concealedSide(slice, banks, side, false).difference(1));

@@ -106,8 +106,21 @@ void Foam::misfit::diagnosis::advise(const List<weighed>& rivals)
     }
     found_.advice =
         "The channels that are there, also the possible ones that the"
-        " dictionary names, do not tell " + two[0].explanation + " and "
-      + two[1].explanation + " apart. Measure another quantity or nearer to"
+        " dictionary names, do not tell " + two[0].explanation + " from "
+      + two[1].explanation + ". Measure another quantity or nearer to"
         " where they act; name it in channels without a file, and it is weighed"
         " here";
+}
+
+
+void Foam::misfit::diagnosis::adviseToCheck()
+{
+    string channels;
+    for (const Tuple2<word, weighed>& w : winners_)
+    {
+        channels += (channels.empty() ? "" : " and ") + w.first();
+    }
+    found_.advice =
+        "The answer hangs on " + channels
+      + ": check what was recorded there, or measure it a second time";
 }

@@ -250,7 +250,8 @@ Foam::misfit::diagnosis::winnerWithout(const label segment) const
     scalar own = GREAT;
     for (const weighed& w : all)
     {
-        // Something unknown beside it is not weighed with all
+        // Something unknown is weighed beside the best few only. It does not speak
+        // for what it is beside: it may match what that does not
         const bool same =
             !w.what.fault && w.what.contains(best().what)
          && best().what.contains(w.what);
@@ -282,6 +283,7 @@ Foam::misfit::gate Foam::misfit::diagnosis::stabilityGate()
     const bool applies =
         channels.size() > 1 && best().what.mechanisms.size();
     stable_ = best().what.mechanisms;
+    string lost;
     forAll(channels, i)
     {
         if (applies)
@@ -292,7 +294,8 @@ Foam::misfit::gate Foam::misfit::diagnosis::stabilityGate()
             held += stable;
             if (!stable)
             {
-                hangsOn_.append(channels[i].name);
+                winners_.append({channels[i].name, w});
+                lost += ' ' + channels[i].name;
             }
             labelList both;
             for (const label m : w.what.mechanisms)
@@ -303,16 +306,7 @@ Foam::misfit::gate Foam::misfit::diagnosis::stabilityGate()
                 }
             }
             stable_ = both;
-            if (!stable && !isAmong(winners_, w))
-            {
-                winners_.append(w);
-            }
         }
-    }
-    string lost;
-    for (const word& name : hangsOn_)
-    {
-        lost += ' ' + name;
     }
     return
     {

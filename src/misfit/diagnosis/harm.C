@@ -7,22 +7,18 @@
 
 Foam::misfit::mat Foam::misfit::diagnosis::predictionErrors() const
 {
-    // A variable at a bound is as uncertain as the others
     const vec& x = best().best.x;
-    const hypothesisModel here(fit_->surface(), bounds_, best().what);
-    const mat slopes = whitener(best().covariance)(here.slopes(x));
-    const vec prior = here.deviation();
-    mat curvature = slopes.transpose()*slopes;
-    for (label i = 0; i < prior.size(); ++i)
-    {
-        curvature(i, i) += prior[i] > 0 ? 1/sqr(prior[i]) : VSMALL;
-    }
-
+    const mat unsure = covarianceWithin
+    (
+        hypothesisModel(fit_->surface(), bounds_, best().what),
+        whitener(best().covariance),
+        x
+    );
     const mat there =
         hypothesisModel(gate_->surface(), bounds_, best().what).slopes(x);
     const weighing weigh(gate_->weigh(settings_.formulaTolerance));
     mat errors =
-        there*curvature.ldlt().solve(mat(there.transpose()))
+        there*unsure*there.transpose()
       + weigh.otherFormula(best());
     if (best().what.unknown)
     {

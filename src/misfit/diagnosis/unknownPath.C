@@ -291,19 +291,22 @@ Foam::misfit::unknownPath::fit Foam::misfit::unknownPath::explain
     }
     const auto sort = [&]()
     {
-        std::sort
+        std::stable_sort
         (
             order.begin(),
             order.end(),
             [&](const label a, const label b)
             {
-                return fits[a].score < fits[b].score;
+                const bool ran = fits[a].failure.empty();
+                return
+                    ran == fits[b].failure.empty()
+                  ? fits[a].score < fits[b].score : ran;
             }
         );
     };
     sort();
 
-    // In the solver, too, until the best of all was computed
+    // In the solver, too, until the best of those that run was computed
     for (label n = 0; n < 3; ++n)
     {
         fit& first = fits[order[0]];
@@ -312,22 +315,23 @@ Foam::misfit::unknownPath::fit Foam::misfit::unknownPath::explain
             break;
         }
         first = refitted(first);
-        if (first.failure.size())
-        {
-            first.score = GREAT;
-        }
         sort();
     }
 
     const dimensionlessLaw& best = laws[order[0]];
     const fit& first = fits[order[0]];
+    const scalar needed = free.free.size() ? settings_.gap : settings_.evidence;
     found_.explained =
-        first.variables.size()
-     && free.score - first.score
-     >= (free.free.size() ? settings_.gap : settings_.evidence);
+        first.variables.size() && first.failure.empty()
+     && free.score - first.score >= needed;
     for (const label i : order)
     {
-        addLaw(laws[i], fits[i], free.score - fits[i].score);
+        const scalar lead = free.score - fits[i].score;
+        addLaw(laws[i], fits[i], lead);
+        if (fits[i].failure.size() && lead >= needed && lawThatFails_.empty())
+        {
+            lawThatFails_ = found_.laws.last().words;
+        }
         const bool rival =
             !best.contains(laws[i]) && !laws[i].contains(best);
         if (rival && fits[i].score < first.score + settings_.gap)

@@ -152,6 +152,16 @@ void Foam::misfit::unknownPath::holdOut
 }
 
 
+Foam::string Foam::misfit::unknownPath::whyNoLaw() const
+{
+    return
+        lawThatFails_.empty()
+      ? " No law in one or two dimensionless numbers says as much."
+      : " No law is named, since the solver fails with one that may say as much: it"
+        " would act like " + lawThatFails_ + '.';
+}
+
+
 void Foam::misfit::unknownPath::describe(const fit& best)
 {
     string gone;
@@ -174,7 +184,7 @@ void Foam::misfit::unknownPath::describe(const fit& best)
 
     found_.named =
         found_.explained && found_.transfers && holds
-     && found_.left >= settings_.adequacy && best.failure.empty();
+     && found_.left >= settings_.adequacy;
     if (found_.parts.empty() && !found_.explained)
     {
         found_.told =
@@ -212,12 +222,11 @@ void Foam::misfit::unknownPath::describe(const fit& best)
     {
         found_.told +=
             !found_.explained
-          ? " No law in one or two dimensionless numbers says as much."
+          ? whyNoLaw()
           : !found_.transfers
           ? " This law is not named, since no other experiment confirms it."
           : !holds
           ? " This law is not named, since held-out channels are matched worse."
-          : best.failure.size() ? " This law is not named, since the solver fails."
           : " This law is not named, since it leaves too much.";
     }
 }

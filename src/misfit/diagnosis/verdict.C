@@ -183,7 +183,10 @@ void Foam::misfit::diagnosis::callSet(List<weighed>& all)
     found_.names.clear();
     for (const weighed& w : all)
     {
-        found_.names.append(word(told(w.what, mechanismNames()), false));
+        // As where one is named, names are of mechanisms and faults
+        hypothesis known(w.what);
+        known.unknown = false;
+        found_.names.append(word(told(known, mechanismNames()), false));
     }
     set_ = all;
 }
@@ -202,10 +205,14 @@ void Foam::misfit::diagnosis::weaken(List<weighed>& near)
         partly_ = true;
         return;
     }
-    near = found_.verdict == "named" ? List<weighed>(1, best()) : simplest(near);
-    near[0].what.unknown = near[0].what.unknown && found_.verdict == "set";
-    for (const weighed& w : winners_)
+    if (found_.verdict == "named")
     {
+        near = List<weighed>(1, best());
+        weakened_ = true;
+    }
+    for (const Tuple2<word, weighed>& without : winners_)
+    {
+        const weighed& w = without.second();
         // What all data support does not give way to what wins on fewer
         bool another = !isAmong(near, w);
         for (const weighed& n : near)
@@ -219,7 +226,6 @@ void Foam::misfit::diagnosis::weaken(List<weighed>& near)
         }
     }
     callSet(near);
-    weakened_ = true;
 }
 
 
@@ -305,9 +311,9 @@ void Foam::misfit::diagnosis::decide()
     {
         found_.answer.append(namedState());
     }
-    if (found_.verdict == "set" && !weakened_)
+    if (found_.verdict == "set")
     {
-        advise(near);
+        weakened_ ? adviseToCheck() : advise(near);
     }
     if (found_.strengths.size() && !best().what.unknown)
     {
@@ -412,6 +418,19 @@ bool Foam::misfit::diagnosis::hasAllThatIsNamed(const weighed& w) const
 }
 
 
+bool Foam::misfit::diagnosis::hasOneOfSet(const weighed& w) const
+{
+    return
+        isAmong(set_, w)
+     || std::any_of
+        (
+            set_.begin(),
+            set_.end(),
+            [&](const weighed& one) { return w.what.extends(one.what); }
+        );
+}
+
+
 bool Foam::misfit::diagnosis::isAmong
 (
     const List<weighed>& list,
@@ -431,7 +450,6 @@ bool Foam::misfit::diagnosis::isAmong
 
 void Foam::misfit::diagnosis::confide()
 {
-    const scalar lowest = lowestScore();
     scalar sum = 0;
     for (const weighed& w : found_.explanations)
     {
@@ -441,7 +459,7 @@ void Foam::misfit::diagnosis::confide()
           : found_.blamesChannel()
           ? isFault(w) && w.what.fault->channel() == found_.names[0]
           : v == "unknown" ? w.what.isOnlyUnknown()
-          : v == "set" ? w.score < lowest + settings_.gap || isAmong(set_, w)
+          : v == "set" ? hasOneOfSet(w)
           : hasAllThatIsNamed(w);
         sum += counts ? w.probability : 0;
     }

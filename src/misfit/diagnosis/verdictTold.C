@@ -29,11 +29,9 @@ string inWords(const wordList& list, const string& last)
 Foam::string Foam::misfit::diagnosis::theBest() const
 {
     const hypothesis& what = best().what;
-    if (what.isNone() || what.isOnlyUnknown())
+    if (what.isOnlyUnknown())
     {
-        return
-            what.isNone() ? "that nothing is missing"
-          : "that it is something that is not in the library";
+        return "that it is something that is not in the library";
     }
     if (what.fault)
     {
@@ -84,7 +82,7 @@ Foam::string Foam::misfit::diagnosis::alternatives() const
 
 Foam::string Foam::misfit::diagnosis::whatFails() const
 {
-    if (best().what.isOnlyUnknown())
+    if (best().what.isNone() || best().what.isOnlyUnknown())
     {
         return ".";
     }
@@ -182,7 +180,7 @@ Foam::string Foam::misfit::diagnosis::strengthsInWords() const
         before = "; strength of ";
         if (s.pinned)
         {
-            os << ", the largest that is allowed";
+            os << (s.value > 0 ? ", the largest that is allowed" : ", the least");
         }
         else
         {
@@ -240,6 +238,31 @@ Foam::string Foam::misfit::diagnosis::whatCouldNotBeAsked() const
 }
 
 
+Foam::string Foam::misfit::diagnosis::whatWinsWithout() const
+{
+    string words;
+    for (const weighed& one : set_)
+    {
+        const string what(told(one.what, mechanismNames()));
+        wordList channels;
+        for (const Tuple2<word, weighed>& w : winners_)
+        {
+            if (told(w.second().what, mechanismNames()) == what)
+            {
+                channels.append(w.first());
+            }
+        }
+        if (channels.size())
+        {
+            words +=
+                (words.empty() ? " Without " : "; without ")
+              + inWords(channels, "or") + ", " + what + " matches best";
+        }
+    }
+    return words + (words.empty() ? "" : ".");
+}
+
+
 Foam::string Foam::misfit::diagnosis::whatIsLeftOut() const
 {
     const bool named = found_.verdict == "named";
@@ -247,13 +270,11 @@ Foam::string Foam::misfit::diagnosis::whatIsLeftOut() const
     (
         named
       ? "Left out: " + inWords(found_.names, "and")
-      : weakened_
-      ? "Left out is one of these: " + alternatives() + ". Which one it is hangs on "
-      + inWords(hangsOn_, "and")
+      : weakened_ ? "Left out is one of these: " + alternatives()
       : "Left out is one of these, which these channels cannot tell apart: "
       + alternatives() + (mayBeTogether() ? ", or both" : "")
     );
-    words += strengthsInWords() + '.';
+    words += strengthsInWords() + '.' + whatWinsWithout();
     if (named && hasMore())
     {
         words += " There is more to it, which these channels do not settle.";
@@ -280,6 +301,10 @@ Foam::string Foam::misfit::diagnosis::faultInWords() const
     if (best().what.fault->hasSize() && deviation > 0 && mag(size[0]) > deviation)
     {
         os << ", +- " << 200*deviation/mag(size[0]) << " % of that (95 %)";
+    }
+    if (size.size() == 1 && best().best.pinned.last())
+    {
+        os << ", the largest that is looked for";
     }
     return os.str();
 }

@@ -108,7 +108,7 @@ json fault(const finding& f)
     return
     {
         {"channel", what.fault->channel()},
-        {"kind", what.fault->type()},
+        {"kind", what.fault->kind()},
         {"values", numbers(best.x.tail(n))},
         {"deviations", deviations}
     };

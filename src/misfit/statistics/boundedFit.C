@@ -175,6 +175,23 @@ fitted fitFrom
 } // End anonymous namespace
 
 
+Foam::misfit::mat Foam::misfit::covarianceWithin
+(
+    const fittedModel& model,
+    const whitener& white,
+    const vec& x
+)
+{
+    const vec range = model.upper() - model.lower();
+    vec weight = priorWeight(model);
+    for (label i = 0; i < weight.size(); ++i)
+    {
+        weight[i] = weight[i] > 0 ? weight[i] : 1/sqr(max(range[i], SMALL));
+    }
+    return inverted(curvature(white(model.slopes(x)), weight));
+}
+
+
 Foam::misfit::vec Foam::misfit::boxMinimum
 (
     const mat& a,
