@@ -66,6 +66,28 @@ bool Foam::functionObjects::sideView::read(const dictionary& dict)
 }
 
 
+void Foam::functionObjects::sideView::writeTable
+(
+    const word& name,
+    const string& comment,
+    const wordList& columns,
+    const DynamicList<scalarList>& rows
+)
+{
+    const List<scalarList> table(gathered(rows));
+    if (!writes())
+    {
+        return;
+    }
+    autoPtr<OFstream> file(presentFile(name));
+    writeColumns(*file, comment, columns, false);
+    for (const scalarList& row : table)
+    {
+        writeRow(*file, row);
+    }
+}
+
+
 void Foam::functionObjects::sideView::writeGrains()
 {
     const grainSnapshot& all = grains();
@@ -89,25 +111,13 @@ void Foam::functionObjects::sideView::writeGrains()
         }
     }
 
-    const List<scalarList> table(gathered(rows));
-
-    if (!writes())
-    {
-        return;
-    }
-
-    autoPtr<OFstream> file(presentFile("grains"));
-    writeColumns
+    writeTable
     (
-        *file,
+        "grains",
         "Grains: place and diameter in m, speed in m/s, type",
         {"x", "y", "z", "d", "speed", "type"},
-        false
+        rows
     );
-    for (const scalarList& row : table)
-    {
-        writeRow(*file, row);
-    }
 }
 
 
@@ -132,25 +142,13 @@ void Foam::functionObjects::sideView::writeCells()
         );
     }
 
-    const List<scalarList> table(gathered(rows));
-
-    if (!writes())
-    {
-        return;
-    }
-
-    autoPtr<OFstream> file(presentFile("cells"));
-    writeColumns
+    writeTable
     (
-        *file,
+        "cells",
         "Cells: centre and size in m, share of water, speed in m/s",
         {"x", "y", "z", "size", "alpha", "speed"},
-        false
+        rows
     );
-    for (const scalarList& row : table)
-    {
-        writeRow(*file, row);
-    }
 }
 
 
