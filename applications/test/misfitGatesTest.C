@@ -377,8 +377,15 @@ TEST(misfitGates, whatAnotherChannelContradictsIsNotNamed)
 }
 
 
-//- Another mechanism acts at one gauge only
-finding ofTwoGauges(const label atThird, const label atFirst, const bool twins)
+//- Another mechanism acts at one gauge only. What is held out shows that of the
+//  first gauge, if anything is
+finding ofTwoGauges
+(
+    const label atThird,
+    const label atFirst,
+    const bool twins,
+    const bool held = false
+)
 {
     world w(20);
     vec added = vec::Zero(w.data.size());
@@ -391,7 +398,7 @@ finding ofTwoGauges(const label atThird, const label atFirst, const bool twins)
     set.faults.clear();
     set.adequacy = 1e-9;
     worldSampler s(truth(-1, 0), 200, added);
-    s.holdNothingOut();
+    held ? s.holdOutLessOf(truth(atFirst, 0.9), 2) : s.holdNothingOut();
     if (twins)
     {
         s.makeTwins();
@@ -410,6 +417,22 @@ TEST(misfitGates, whatWinsWithoutAChannelIsInTheSet)
     EXPECT_NE(f.told.find("one of these: "), std::string::npos) << f.told;
     EXPECT_NE(f.told.find(" matches best"), std::string::npos) << f.told;
     EXPECT_NE(f.advice.find("hangs on"), std::string::npos) << f.advice;
+}
+
+
+TEST(misfitGates, aSetThatHangsOnAChannelIsAsSureAsSuchSetsWere)
+{
+    const finding f(ofTwoGauges(4, 0, false, true));
+    EXPECT_EQ(f.verdict, "set");
+    EXPECT_TRUE(passes(f, "heldOut"));
+    EXPECT_EQ(f.confidence, 0.5);
+}
+
+
+TEST(misfitGates, aSetThatHangsOnAChannelSaysWhereBothAtOnceAreAsGood)
+{
+    EXPECT_NE(ofTwoGauges(4, 1, false).told.find(", or both. "), std::string::npos);
+    EXPECT_EQ(ofTwoGauges(4, 0, false).told.find(", or both"), std::string::npos);
 }
 
 

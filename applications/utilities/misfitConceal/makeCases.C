@@ -200,15 +200,15 @@ void Foam::misfit::makeCases
         std::string number(std::to_string(i + 1));
         number.insert(0, 4 - min(label(number.size()), label(4)), '0');
         const UList<prediction> mine(SubList<prediction>(given, each, i*each));
-        bool ran = true;
+        string failure;
         for (const prediction& p : mine)
         {
-            ran = ran && p.ok();
+            failure = failure.empty() ? p.failure : failure;
         }
-        if (!ran)
+        if (failure.size())
         {
-            Info<< "    No case " << number << ": a run of its truth failed"
-                << endl;
+            Info<< "    No case " << number << ": a run of its truth failed: "
+                << failure.c_str() << endl;
             continue;
         }
 

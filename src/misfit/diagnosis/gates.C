@@ -115,8 +115,10 @@ Foam::misfit::gate Foam::misfit::diagnosis::computedGate() const
 
 Foam::misfit::gate Foam::misfit::diagnosis::gapGate() const
 {
-    // One that has more on than the best, or less, says nothing else
-    scalar lead = GREAT;
+    // One that has more on than the best, or less, says nothing else: the best of
+    // them leads
+    scalar own = best().score;
+    scalar others = GREAT;
     string next("-");
     for (const weighed& w : found_.explanations)
     {
@@ -126,12 +128,17 @@ Foam::misfit::gate Foam::misfit::diagnosis::gapGate() const
           : best().what.isOnlyUnknown() ? w.what.isOnlyUnknown()
           : w.what.mechanisms.size()
          && (w.what.contains(best().what) || best().what.contains(w.what));
-        if (!same && w.score - best().score < lead)
+        if (same)
         {
-            lead = w.score - best().score;
+            own = min(own, w.score);
+        }
+        else if (w.score < others)
+        {
+            others = w.score;
             next = told(w.what, mechanismNames());
         }
     }
+    const scalar lead = others - own;
     return
     {
         "gap",

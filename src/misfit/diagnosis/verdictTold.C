@@ -270,8 +270,8 @@ Foam::string Foam::misfit::diagnosis::whatIsLeftOut() const
     (
         named
       ? "Left out: " + inWords(found_.names, "and")
-      : weakened_ ? "Left out is one of these: " + alternatives()
-      : "Left out is one of these, which these channels cannot tell apart: "
+      : "Left out is one of these"
+      + string(weakened_ ? ": " : ", which these channels cannot tell apart: ")
       + alternatives() + (mayBeTogether() ? ", or both" : "")
     );
     words += strengthsInWords() + '.' + whatWinsWithout();
