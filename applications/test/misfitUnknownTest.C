@@ -92,6 +92,8 @@ class correctedWorld
 
     bool failsWhereFitted_ = false;
 
+    bool failsWhereDragVaries_ = false;
+
 
     //- True if an element has another value than that at which it is computed alone
     bool isFitted(const runState& state) const
@@ -105,6 +107,23 @@ class correctedWorld
             }
         }
         return false;
+    }
+
+    //- True if the factor on the drag is not the same at all numbers
+    bool isVaried(const runState& state) const
+    {
+        scalar least = GREAT;
+        scalar most = -GREAT;
+        for (const correctionElement& e : elements_)
+        {
+            if (e.family == "drag")
+            {
+                const scalar value = state.strengths.lookup(e.name, 0);
+                least = min(least, value);
+                most = max(most, value);
+            }
+        }
+        return least > SMALL && most > 1.01*least;
     }
 
     vec simulated
@@ -184,13 +203,22 @@ public:
         failsWhereFitted_ = true;
     }
 
+    void failWhereDragVaries()
+    {
+        failsWhereDragVaries_ = true;
+    }
+
     List<samples> operator()(const List<runState>& states) override
     {
         List<samples> all(states.size());
         forAll(states, i)
         {
             const runState& s = states[i];
-            if (failsWhereFitted_ && isFitted(s))
+            if
+            (
+                (failsWhereFitted_ && isFitted(s))
+             || (failsWhereDragVaries_ && isVaried(s))
+            )
             {
                 all[i].failure = "it diverged";
                 continue;
@@ -427,6 +455,32 @@ TEST(misfitUnknown, aLawWithWhichTheSolverFailsIsToldAndNoOtherIsNamed)
         lead = max(lead, l.lead);
     }
     EXPECT_GT(lead, 0);
+}
+
+
+TEST(misfitUnknown, aPartOfALawWithWhichTheSolverFailsIsNotNamed)
+{
+    HashTable<scalar> truth;
+    for (const correctionElement& e : elements())
+    {
+        if (e.family == "drag")
+        {
+            truth.insert(e.name, 0.5 + 0.02*std::log(e.Reynolds/100));
+        }
+    }
+    correctedWorld w(truth, truth, 600);
+    w.failWhereDragVaries();
+    const finding f(diagnosed(w));
+    EXPECT_EQ(f.verdict, "unknown");
+    EXPECT_NE(f.told.find("(Re_p/30)^(0."), std::string::npos) << f.told;
+    EXPECT_NE(f.told.find("fails with one that may say as much"), std::string::npos)
+        << f.told;
+
+    // The part runs, and would be enough
+    ASSERT_FALSE(f.correction.laws.empty());
+    const correctionFound::law& part = f.correction.laws.first();
+    EXPECT_EQ(part.words.find("Re_p"), std::string::npos) << part.words;
+    EXPECT_GT(part.lead, poorSettings().gap);
 }
 
 

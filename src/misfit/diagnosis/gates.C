@@ -142,7 +142,8 @@ Foam::misfit::gate Foam::misfit::diagnosis::gapGate() const
     return
     {
         "gap",
-        "Lead in score over the next explanation that says something else (" + next + ")",
+        "Lead in score of the best that says the same over the next explanation that"
+        " says something else (" + next + ")",
         number(lead),
         "at least " + number(settings_.gap),
         true,

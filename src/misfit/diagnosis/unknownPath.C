@@ -321,22 +321,27 @@ Foam::misfit::unknownPath::fit Foam::misfit::unknownPath::explain
     const dimensionlessLaw& best = laws[order[0]];
     const fit& first = fits[order[0]];
     const scalar needed = free.free.size() ? settings_.gap : settings_.evidence;
-    found_.explained =
+    const bool enough =
         first.variables.size() && first.failure.empty()
      && free.score - first.score >= needed;
+    found_.explained = enough;
     for (const label i : order)
     {
         const scalar lead = free.score - fits[i].score;
         addLaw(laws[i], fits[i], lead);
-        if (fits[i].failure.size() && lead >= needed && lawThatFails_.empty())
-        {
-            lawThatFails_ = found_.laws.last().words;
-        }
-        const bool rival =
-            !best.contains(laws[i]) && !laws[i].contains(best);
-        if (rival && fits[i].score < first.score + settings_.gap)
+
+        // One that has the best in it, or is a part of it, is no rival, unless it is
+        // better and the solver fails with it
+        const bool fails = fits[i].failure.size();
+        const bool nested = best.contains(laws[i]) || laws[i].contains(best);
+        const scalar limit = nested ? (fails ? 0 : -GREAT) : settings_.gap;
+        if (fits[i].score < first.score + limit)
         {
             found_.explained = false;
+            if (fails && lawThatFails_.empty() && (enough || lead >= needed))
+            {
+                lawThatFails_ = found_.laws.last().words;
+            }
         }
     }
     best_ = order[0];

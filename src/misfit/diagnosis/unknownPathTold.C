@@ -188,8 +188,9 @@ void Foam::misfit::unknownPath::describe(const fit& best)
     if (found_.parts.empty() && !found_.explained)
     {
         found_.told =
-            "No push and no factor on the drag of the free correction explains"
-            " it either.";
+            lawThatFails_.size() ? string(whyNoLaw().substr(1))
+          : string("No push and no factor on the drag of the free correction explains"
+                " it either.");
         return;
     }
     if (found_.explained)

@@ -243,11 +243,14 @@ Foam::string Foam::misfit::diagnosis::whatWinsWithout() const
     string words;
     for (const weighed& one : set_)
     {
-        const string what(told(one.what, mechanismNames()));
         wordList channels;
         for (const Tuple2<word, weighed>& w : winners_)
         {
-            if (told(w.second().what, mechanismNames()) == what)
+            const hypothesis& other = w.second().what;
+            const bool same =
+                other.fault == one.what.fault
+             && other.contains(one.what) && one.what.contains(other);
+            if (same)
             {
                 channels.append(w.first());
             }
@@ -256,7 +259,8 @@ Foam::string Foam::misfit::diagnosis::whatWinsWithout() const
         {
             words +=
                 (words.empty() ? " Without " : "; without ")
-              + inWords(channels, "or") + ", " + what + " matches best";
+              + inWords(channels, "or") + " a better match is "
+              + told(one.what, mechanismNames());
         }
     }
     return words + (words.empty() ? "" : ".");
@@ -302,7 +306,8 @@ Foam::string Foam::misfit::diagnosis::faultInWords() const
     {
         os << ", +- " << 200*deviation/mag(size[0]) << " % of that (95 %)";
     }
-    if (size.size() == 1 && best().best.pinned.last())
+    const bool isLargest = size.size() == 1 && best().best.pinned.last();
+    if (isLargest && best().what.fault->hasSize() && mag(size[0]) > SMALL)
     {
         os << ", the largest that is looked for";
     }

@@ -55,7 +55,7 @@ std::string sureThat(const finding& f)
         f.verdict == "none"
       ? "that nothing missing and no fault is needed to explain the recordings"
       : f.blamesChannel() ? "that the fault is at " + f.names[0]
-      : f.verdict == "set" ? "that one of these is at least part of what is missing"
+      : f.verdict == "set" ? "that one of these is at least part of what is wrong"
       : f.verdict == "unknown"
       ? "that no candidate and no fault of one sensor explains it"
       : f.correction.named ? "that what is missing follows this law"
