@@ -318,8 +318,22 @@ Foam::misfit::unknownPath::fit Foam::misfit::unknownPath::explain
         sort();
     }
 
-    const dimensionlessLaw& best = laws[order[0]];
-    const fit& first = fits[order[0]];
+    best_ = order[0];
+    judgeLaws(free, laws, fits, order);
+    return fits[best_];
+}
+
+
+void Foam::misfit::unknownPath::judgeLaws
+(
+    const fit& free,
+    const List<dimensionlessLaw>& laws,
+    const List<fit>& fits,
+    const labelList& order
+)
+{
+    const dimensionlessLaw& best = laws[best_];
+    const fit& first = fits[best_];
     const scalar needed = free.free.size() ? settings_.gap : settings_.evidence;
     const bool enough =
         first.variables.size() && first.failure.empty()
@@ -344,8 +358,6 @@ Foam::misfit::unknownPath::fit Foam::misfit::unknownPath::explain
             }
         }
     }
-    best_ = order[0];
-    return first;
 }
 
 
