@@ -134,13 +134,6 @@ wordList fittedChannels(const recordings& all)
     return names;
 }
 
-
-json readKey(const fileName& file)
-{
-    std::ifstream is(file);
-    return json::parse(is);
-}
-
 } // End anonymous namespace
 
 
@@ -157,7 +150,7 @@ void Foam::misfit::beginKey
         writeWhole(keyFile, key.dump(1) + '\n');
         return;
     }
-    if (mustBeThatSeed && readKey(keyFile)["seed"] != seed)
+    if (mustBeThatSeed && json::parse(contentOf(keyFile))["seed"] != seed)
     {
         FatalErrorInFunction
             << "The key " << keyFile << " has another seed than " << seed
@@ -175,7 +168,7 @@ void Foam::misfit::makeCases
     const label n
 )
 {
-    json key(readKey(keyFile));
+    json key(json::parse(contentOf(keyFile)));
     if (!key["cases"].empty())
     {
         Info<< key["cases"].size() << " cases are made already" << endl;

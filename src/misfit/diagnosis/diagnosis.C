@@ -39,6 +39,18 @@ Foam::wordList Foam::misfit::diagnosis::mechanismNames() const
 }
 
 
+Foam::wordList
+Foam::misfit::diagnosis::namesOf(const labelList& mechanisms) const
+{
+    wordList names;
+    for (const label m : mechanisms)
+    {
+        names.append(settings_.candidates[m].name);
+    }
+    return names;
+}
+
+
 Foam::misfit::runState Foam::misfit::diagnosis::state
 (
     const vec& variables,

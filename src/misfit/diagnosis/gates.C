@@ -260,9 +260,7 @@ Foam::misfit::diagnosis::winnerWithout(const label segment) const
     {
         // Something unknown is weighed beside the best few only. It does not speak
         // for what it is beside: it may match what that does not
-        const bool same =
-            !w.what.fault && w.what.contains(best().what)
-         && best().what.contains(w.what);
+        const bool same = !w.what.fault && w.what.hasMechanismsOf(best().what);
         if (told(w.what, names) == here || (same && own == GREAT))
         {
             own = w.score;
@@ -286,45 +284,28 @@ Foam::misfit::diagnosis::winnerWithout(const label segment) const
 Foam::misfit::gate Foam::misfit::diagnosis::stabilityGate()
 {
     const List<segment>& channels = fit_->data().segments;
-    label held = 0;
-    label asked = 0;
     const bool applies =
         channels.size() > 1 && best().what.mechanisms.size();
-    stable_ = best().what.mechanisms;
+    const label asked = applies ? channels.size() : 0;
     string lost;
-    forAll(channels, i)
+    for (label i = 0; i < asked; ++i)
     {
-        if (applies)
+        const weighed w(winnerWithout(i));
+        if (!isAmong({best()}, w))
         {
-            const weighed w(winnerWithout(i));
-            const bool stable = isAmong({best()}, w);
-            ++asked;
-            held += stable;
-            if (!stable)
-            {
-                winners_.append({channels[i].name, w});
-                lost += ' ' + channels[i].name;
-            }
-            labelList both;
-            for (const label m : w.what.mechanisms)
-            {
-                if (stable_.found(m))
-                {
-                    both.append(m);
-                }
-            }
-            stable_ = both;
+            winners_.append({channels[i].name, w});
+            lost += ' ' + channels[i].name;
         }
     }
     return
     {
         "stability",
         "Channels that can be left out without another explanation winning",
-        Foam::name(held) + " of " + Foam::name(asked)
+        Foam::name(asked - winners_.size()) + " of " + Foam::name(asked)
       + (lost.empty() ? "" : " (not" + lost + ")"),
         "all",
         applies,
-        held == asked
+        winners_.empty()
     };
 }
 

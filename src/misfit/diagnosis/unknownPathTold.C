@@ -156,8 +156,8 @@ Foam::string Foam::misfit::unknownPath::whyNoLaw() const
 {
     return
         lawThatFails_.empty()
-      ? " No law in one or two dimensionless numbers says as much."
-      : " No law is named, since the solver fails with one that may say as much: it"
+      ? "No law in one or two dimensionless numbers says as much."
+      : "No law is named, since the solver fails with one that may say as much: it"
         " would act like " + lawThatFails_ + '.';
 }
 
@@ -188,7 +188,7 @@ void Foam::misfit::unknownPath::describe(const fit& best)
     if (found_.parts.empty() && !found_.explained)
     {
         found_.told =
-            lawThatFails_.size() ? string(whyNoLaw().substr(1))
+            lawThatFails_.size() ? whyNoLaw()
           : string("No push and no factor on the drag of the free correction explains"
                 " it either.");
         return;
@@ -223,7 +223,7 @@ void Foam::misfit::unknownPath::describe(const fit& best)
     {
         found_.told +=
             !found_.explained
-          ? whyNoLaw()
+          ? ' ' + whyNoLaw()
           : !found_.transfers
           ? " This law is not named, since no other experiment confirms it."
           : !holds

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// S9: the verdict, and how sure it is.
+// S9: the verdict.
 
 #include "diagnosis.H"
 #include "HashSet.H"
@@ -133,7 +133,6 @@ void Foam::misfit::diagnosis::preferAmongRivals()
 
 void Foam::misfit::diagnosis::judge(List<weighed>& near)
 {
-    const wordList names(mechanismNames());
     label faults = 0;
     for (const weighed& w : near)
     {
@@ -163,10 +162,7 @@ void Foam::misfit::diagnosis::judge(List<weighed>& near)
     const List<label> core(common(near));
     if (core.size() && isSame(best().what.mechanisms, core))
     {
-        for (const label m : core)
-        {
-            found_.names.append(names[m]);
-        }
+        found_.names = namesOf(core);
         found_.verdict = "named";
         return;
     }
@@ -184,9 +180,7 @@ void Foam::misfit::diagnosis::callSet(List<weighed>& all)
     for (const weighed& w : all)
     {
         // As where one is named, names are of mechanisms and faults
-        hypothesis known(w.what);
-        known.unknown = false;
-        found_.names.append(word(told(known, mechanismNames()), false));
+        found_.names.append(word(told(w.what.known(), mechanismNames()), false));
     }
     set_ = all;
 }
@@ -194,20 +188,23 @@ void Foam::misfit::diagnosis::callSet(List<weighed>& all)
 
 void Foam::misfit::diagnosis::weaken(List<weighed>& near)
 {
-    // What wins without a channel, too, has some of it: that much is sure
-    if (found_.verdict == "named" && stable_.size())
-    {
-        found_.names.clear();
-        for (const label m : stable_)
-        {
-            found_.names.append(mechanismNames()[m]);
-        }
-        partly_ = true;
-        return;
-    }
     if (found_.verdict == "named")
     {
         near = List<weighed>(1, best());
+        List<weighed> all(near);
+        for (const Tuple2<word, weighed>& without : winners_)
+        {
+            all.append(without.second());
+        }
+
+        // What wins without a channel, too, has some of it: that much is sure
+        const List<label> sure(common(all));
+        if (sure.size())
+        {
+            found_.names = namesOf(sure);
+            partly_ = true;
+            return;
+        }
         weakened_ = true;
     }
     near = simplest(near);
@@ -387,56 +384,6 @@ Foam::misfit::runState Foam::misfit::diagnosis::namedState() const
 }
 
 
-void Foam::misfit::diagnosis::setPosterior()
-{
-    for (const weighed& w : found_.explanations)
-    {
-        found_.posterior.append
-        (
-            Tuple2<string, scalar>
-            (
-                told(w.what, mechanismNames()), w.probability
-            )
-        );
-    }
-    std::stable_sort
-    (
-        found_.posterior.begin(),
-        found_.posterior.end(),
-        [](const auto& a, const auto& b) { return a.second() > b.second(); }
-    );
-}
-
-
-bool Foam::misfit::diagnosis::hasAllThatIsNamed(const weighed& w) const
-{
-    label n = 0;
-    for (const label m : w.what.mechanisms)
-    {
-        n += found_.names.found(mechanismNames()[m]);
-    }
-    return n && n == found_.names.size();
-}
-
-
-bool Foam::misfit::diagnosis::hasOneOfSet(const weighed& w) const
-{
-    return
-        isAmong(set_, w)
-     || std::any_of
-        (
-            set_.begin(),
-            set_.end(),
-            [&](const weighed& one)
-            {
-                return
-                    one.what.fault ? w.what.extends(one.what)
-                  : w.what.contains(one.what);
-            }
-        );
-}
-
-
 bool Foam::misfit::diagnosis::isAmong
 (
     const List<weighed>& list,
@@ -451,62 +398,4 @@ bool Foam::misfit::diagnosis::isAmong
         list.end(),
         [&](const weighed& other) { return told(other.what, names) == name; }
     );
-}
-
-
-void Foam::misfit::diagnosis::confide()
-{
-    scalar sum = 0;
-    for (const weighed& w : found_.explanations)
-    {
-        const word& v = found_.verdict;
-        const bool counts =
-            v == "none" ? w.what.isNone()
-          : found_.blamesChannel()
-          ? isFault(w) && w.what.fault->channel() == found_.names[0]
-          : v == "unknown" ? w.what.isOnlyUnknown()
-          : v == "set" ? hasOneOfSet(w)
-          : hasAllThatIsNamed(w);
-        sum += counts ? w.probability : 0;
-    }
-
-    // 88 of 105 such verdicts were right where the solver made the recordings, the
-    // others hid effects that chance could have made (validation/concealed)
-    if (found_.verdict == "none" && !passed("detection"))
-    {
-        sum = max(sum, 0.82);
-    }
-
-    // 15 of 17 such names were right there, and 88 of 88 of the others
-    if (found_.verdict == "named" && hasMore())
-    {
-        sum = min(sum, 0.88);
-    }
-
-    // Of six such sets there one held the cause
-    bool physics = false;
-    for (const weighed& w : rivals())
-    {
-        physics = physics || w.what.mechanisms.size();
-    }
-    if (found_.verdict == "set" && physics && !isConfirmed())
-    {
-        sum = min(sum, 0.25);
-    }
-
-    // Of 13 that hang on a channel ten: three of six there, seven of seven from the
-    // bank
-    if (found_.verdict == "set" && physics && !passed("stability"))
-    {
-        sum = min(sum, 0.77);
-    }
-
-    // 37 of 44 such verdicts were right where the solver made the recordings,
-    // 30 of 61 from the bank (validation/concealed). Not where runs are missing.
-    const bool asked = never_.empty() && found_.failedRuns.empty();
-    if (found_.verdict == "unknown" && asked && !isUnproved())
-    {
-        sum = max(sum, 0.7);
-    }
-    found_.confidence = min(sum, settings_.ceiling);
 }

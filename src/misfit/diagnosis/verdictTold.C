@@ -135,10 +135,8 @@ Foam::string Foam::misfit::diagnosis::whatMayBeAdded() const
          && w.score == lowestScore() && w.score < best().score - mention;
         if (better)
         {
-            hypothesis named(w.what);
-            named.unknown = false;
             return
-                " Together, " + told(named, mechanismNames())
+                " Together, " + told(w.what.known(), mechanismNames())
               + " match better, but by no more than another formula of what is"
                 " named may.";
         }
@@ -226,11 +224,7 @@ Foam::string Foam::misfit::diagnosis::whatIsStillOff() const
 
 Foam::string Foam::misfit::diagnosis::whatCouldNotBeAsked() const
 {
-    wordList names;
-    for (const label m : never_)
-    {
-        names.append(mechanismNames()[m]);
-    }
+    const wordList names(namesOf(never_));
     return
         names.empty() ? string()
       : " Not asked, as the solver failed with it: " + inWords(names, "and")
@@ -247,10 +241,7 @@ Foam::string Foam::misfit::diagnosis::whatWinsWithout() const
         for (const Tuple2<word, weighed>& w : winners_)
         {
             const hypothesis& other = w.second().what;
-            const bool same =
-                other.fault == one.what.fault
-             && other.contains(one.what) && one.what.contains(other);
-            if (same)
+            if (other.fault == one.what.fault && other.hasMechanismsOf(one.what))
             {
                 channels.append(w.first());
             }
@@ -300,14 +291,16 @@ Foam::string Foam::misfit::diagnosis::faultInWords() const
     OStringStream os;
     os.precision(2);
     os << best().what.fault->told(size).c_str();
-    const scalar deviation =
-        size.size() == 1 ? best().best.deviation(best().best.x.size() - 1) : 0;
-    if (best().what.fault->hasSize() && deviation > 0 && mag(size[0]) > deviation)
+    if (size.size() != 1 || !best().what.fault->hasSize())
+    {
+        return os.str();
+    }
+    const scalar deviation = best().best.deviation(best().best.x.size() - 1);
+    if (deviation > 0 && mag(size[0]) > deviation)
     {
         os << ", +- " << 200*deviation/mag(size[0]) << " % of that (95 %)";
     }
-    const bool isLargest = size.size() == 1 && best().best.pinned.last();
-    if (isLargest && best().what.fault->hasSize() && mag(size[0]) > SMALL)
+    if (best().best.pinned.last() && mag(size[0]) > SMALL)
     {
         os << ", the largest that is looked for";
     }
