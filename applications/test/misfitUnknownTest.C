@@ -2,12 +2,10 @@
 // S8 on a surge in closed form: what no candidate explains is found by a free
 // correction, in its place or by its dimensionless number, and noise is not.
 
+#include "correctedWorld.H"
 #include "diagnosis.H"
-#include "misfitWorld.H"
 #include "testNumber.H"
 #include "unknownPath.H"
-
-#include "IStringStream.H"
 
 #include <gtest/gtest.h>
 
@@ -17,248 +15,19 @@ using namespace Foam::misfit;
 namespace
 {
 
-//- Three stations and three times; three Reynolds numbers
-correction freeCorrection()
+//- More drag by constant + slope ln(Re/100)
+HashTable<scalar> dragLaw(const scalar constant, const scalar slope)
 {
-    return correction
-    (
-        dictionary
-        (
-            IStringStream
-            (
-                "correction { push { stations (0.5 1.5 2.5); times (0.8 1.6 2.4);"
-                " size 40; } drag { voidFraction (0.6); Reynolds (3 30 300);"
-                " size 0.3; } }"
-            )()
-        )
-    );
+    HashTable<scalar> values;
+    for (const correctionElement& e : elements())
+    {
+        if (e.family == "drag")
+        {
+            values.insert(e.name, constant + slope*std::log(e.Reynolds/100));
+        }
+    }
+    return values;
 }
-
-
-const List<correctionElement>& elements()
-{
-    static const List<correctionElement> all(freeCorrection().elements());
-    return all;
-}
-
-
-scalar hat(const scalar x, const scalar at, const scalar reach)
-{
-    return max(1 - mag(x - at)/reach, 0.0);
-}
-
-
-//- What an element does at a gauge: a push sends a wave downstream; a factor on
-//  the drag acts while the Reynolds number, which decays from the front on, is
-//  near its node. Nature's waves run faster
-scalar effect
-(
-    const correctionElement& e,
-    const segment& s,
-    const scalar t,
-    const word& experiment,
-    const scalar speed = 2
-)
-{
-    const scalar unit = s.quantity == "length" ? 1e-4 : 1;
-    if (e.family == "push")
-    {
-        const scalar way = s.place.x() - e.place;
-        const scalar d = (t - e.time - way/speed)/0.25;
-        return way < 0 ? 0 : unit*3*std::exp(-min(d*d, 700.0) - way/4);
-    }
-    const scalar after = t - 0.35*s.place.x();
-    const scalar logRe =
-        std::log(experiment == "A" ? 300. : 150.) - 1.2*max(after, 0.0);
-    return
-        after < 0 ? 0
-      : unit*400*hat(logRe, std::log(e.Reynolds), std::log(10.));
-}
-
-
-//- Stands for the solver. P3 gates; experiment B has a smaller release
-class correctedWorld
-:
-    public sampler
-{
-    world world_;
-
-    List<correctionElement> elements_;
-
-    List<observed> data_;
-
-    //- Share by which a finer mesh changes B
-    scalar finer_ = 0;
-
-    bool failsWhereFitted_ = false;
-
-    bool failsWhereDragVaries_ = false;
-
-
-    //- True if an element has another value than that at which it is computed alone
-    bool isFitted(const runState& state) const
-    {
-        for (const correctionElement& e : elements_)
-        {
-            const scalar value = state.strengths.lookup(e.name, 0);
-            if (value != 0 && mag(value - e.size) > SMALL)
-            {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    //- True if the factor on the drag is not the same at all numbers
-    bool isVaried(const runState& state) const
-    {
-        scalar least = GREAT;
-        scalar most = -GREAT;
-        for (const correctionElement& e : elements_)
-        {
-            if (e.family == "drag")
-            {
-                const scalar value = state.strengths.lookup(e.name, 0);
-                least = min(least, value);
-                most = max(most, value);
-            }
-        }
-        return least > SMALL && most > 1.01*least;
-    }
-
-    vec simulated
-    (
-        const vec& x,
-        const HashTable<scalar>& strengths,
-        const word& experiment,
-        const scalar speed = 2
-    ) const
-    {
-        vec y = x;
-        y[0] -= experiment == "B" ? 0.3 : 0;
-        vec f = world_(y);
-        for (const correctionElement& e : elements_)
-        {
-            const scalar value = strengths.lookup(e.name, 0);
-            for (const segment& s : world_.data.segments)
-            {
-                for (label k = 0; value != 0 && k < s.size; ++k)
-                {
-                    f[s.first + k] +=
-                        value*effect(e, s, s.x[k], experiment, speed);
-                }
-            }
-        }
-        return f;
-    }
-
-public:
-
-    correctedWorld
-    (
-        const HashTable<scalar>& inA,
-        const HashTable<scalar>& inB,
-        const label seed
-    )
-    :
-        world_(20),
-        elements_(elements())
-    {
-        std::mt19937 generator(seed);
-        vec x = vec::Zero(world_.bounds.mean.size());
-        x[0] = 0.06;
-        x[1] = -0.08;
-        for (const word& e : wordList({"A", "B"}))
-        {
-            world_.data.y =
-                simulated(x, e == "A" ? inA : inB, e, 2.15)
-              + world_.noise(generator);
-            List<label> keep;
-            observed o;
-            o.experiment = e;
-            o.use = e == "A" ? purpose::fit : purpose::gate;
-            if (e == "A")
-            {
-                o.fit = world_.data.without(2, keep);
-                o.gate.segments =
-                    List<segment>({world_.data.segments[2]});
-                o.gate.segments[0].first = 0;
-                o.gate.y = world_.data.segments[2].of(world_.data.y);
-            }
-            else
-            {
-                o.gate = world_.data;
-            }
-            data_.append(o);
-        }
-    }
-
-    void changeWhereFiner(const scalar share)
-    {
-        finer_ = share;
-    }
-
-    void failWhereFitted()
-    {
-        failsWhereFitted_ = true;
-    }
-
-    void failWhereDragVaries()
-    {
-        failsWhereDragVaries_ = true;
-    }
-
-    List<samples> operator()(const List<runState>& states) override
-    {
-        List<samples> all(states.size());
-        forAll(states, i)
-        {
-            const runState& s = states[i];
-            if
-            (
-                (failsWhereFitted_ && isFitted(s))
-             || (failsWhereDragVaries_ && isVaried(s))
-            )
-            {
-                all[i].failure = "it diverged";
-                continue;
-            }
-            vec x = vec::Zero(world_.bounds.mean.size());
-            x[0] = s.parameters.lookup("release", 0);
-            x[1] = s.parameters.lookup("friction", 0);
-            for (label m = 0; m < world::nMechanisms; ++m)
-            {
-                x[world::nParameters + m] =
-                    s.strengths.lookup(world::mechanism(m), 0);
-            }
-            const vec f = simulated(x, s.strengths, s.experiment);
-            if (s.experiment == "A")
-            {
-                List<label> keep;
-                world_.data.without(2, keep);
-                all[i].fit = (s.resolution == "base" ? 1 : 1 + 1e-6)*rows(f, keep);
-                all[i].gate = world_.data.segments[2].of(f);
-            }
-            else
-            {
-                all[i].gate = (s.resolution == "base" ? 1 : 1 + finer_)*f;
-            }
-            for (const correctionElement& e : elements_)
-            {
-                if (s.noting && e.family == "push")
-                {
-                    all[i].met.insert(e.name, {1 + 0.3*e.time, 0.1, 1, 1000, 1e-6, 9.81});
-                }
-            }
-        }
-        return all;
-    }
-
-    const List<observed>& data() const override
-    {
-        return data_;
-    }
-};
 
 
 //- With a library that lacks the cause
@@ -402,14 +171,7 @@ TEST(misfitUnknown, anotherDragLawIsRegressedOnTheReynoldsNumber)
 {
     for (const label seed : {600, 601, 602})
     {
-        HashTable<scalar> truth;
-        for (const correctionElement& e : elements())
-        {
-            if (e.family == "drag")
-            {
-                truth.insert(e.name, 0.2*std::log(e.Reynolds/100));
-            }
-        }
+        const HashTable<scalar> truth(dragLaw(0, 0.2));
         correctedWorld w(truth, truth, seed);
         const finding f(diagnosed(w));
 
@@ -433,14 +195,7 @@ TEST(misfitUnknown, anotherDragLawIsRegressedOnTheReynoldsNumber)
 
 TEST(misfitUnknown, aLawWithWhichTheSolverFailsIsToldAndNoOtherIsNamed)
 {
-    HashTable<scalar> truth;
-    for (const correctionElement& e : elements())
-    {
-        if (e.family == "drag")
-        {
-            truth.insert(e.name, 0.2*std::log(e.Reynolds/100));
-        }
-    }
+    const HashTable<scalar> truth(dragLaw(0, 0.2));
     correctedWorld w(truth, truth, 600);
     w.failWhereFitted();
     const finding f(diagnosed(w));
@@ -460,14 +215,7 @@ TEST(misfitUnknown, aLawWithWhichTheSolverFailsIsToldAndNoOtherIsNamed)
 
 TEST(misfitUnknown, aPartOfALawWithWhichTheSolverFailsIsNotNamed)
 {
-    HashTable<scalar> truth;
-    for (const correctionElement& e : elements())
-    {
-        if (e.family == "drag")
-        {
-            truth.insert(e.name, 0.5 + 0.02*std::log(e.Reynolds/100));
-        }
-    }
+    const HashTable<scalar> truth(dragLaw(0.5, 0.02));
     correctedWorld w(truth, truth, 600);
     w.failWhereDragVaries();
     const finding f(diagnosed(w));
@@ -486,14 +234,7 @@ TEST(misfitUnknown, aPartOfALawWithWhichTheSolverFailsIsNotNamed)
 
 TEST(misfitUnknown, theSameLawInOneExperimentOnlyIsNotNamed)
 {
-    HashTable<scalar> truth;
-    for (const correctionElement& e : elements())
-    {
-        if (e.family == "drag")
-        {
-            truth.insert(e.name, 0.2*std::log(e.Reynolds/100));
-        }
-    }
+    const HashTable<scalar> truth(dragLaw(0, 0.2));
     correctedWorld w(truth, HashTable<scalar>(), 610);
     const finding f(diagnosed(w));
 

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Answers that hang on a channel: what wins without it, and what is said of that.
+
+#include "worldDiagnosis.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+namespace
+{
+
+//- Another mechanism acts at one gauge only. What is held out shows that of the
+//  first gauge, if anything is
+finding ofTwoGauges
+(
+    const label atThird,
+    const label atFirst,
+    const bool twins,
+    const bool held = false
+)
+{
+    world w(20);
+    vec added = vec::Zero(w.data.size());
+    for (const auto& at : {std::make_pair(3, atThird), std::make_pair(1, atFirst)})
+    {
+        const segment& s = w.data.segments[at.first];
+        s.of(added) = s.of(w(truth(at.second, 0.9)) - w(truth(-1, 0)));
+    }
+    settings set(worldSettings());
+    set.faults.clear();
+    set.adequacy = 1e-9;
+    worldSampler s(truth(-1, 0), 200, added);
+    held ? s.holdOutLessOf(truth(atFirst, 0.9), 2) : s.holdNothingOut();
+    if (twins)
+    {
+        s.makeTwins();
+    }
+    const finding f(diagnose(s, set));
+    show(f);
+    EXPECT_FALSE(passes(f, "stability"));
+    return f;
+}
+
+} // End anonymous namespace
+
+
+TEST(misfitStability, whatAnotherChannelContradictsIsNotNamed)
+{
+    // Each of two mechanisms acts at one gauge only
+    world w(20);
+    vec added = vec::Zero(w.data.size());
+    for (const auto& at : {std::make_pair(3, 0), std::make_pair(1, 1)})
+    {
+        const vec effect = w(truth(at.second, 0.9)) - w(truth(-1, 0));
+        const segment& s = w.data.segments[at.first];
+        s.of(added) = s.of(effect);
+    }
+    settings set(worldSettings());
+    set.faults.clear();
+    set.pairs = false;
+    worldSampler s(truth(-1, 0), 200, added);
+    const finding f(diagnose(s, set));
+    show(f);
+    EXPECT_EQ(passes(f, "stability"), false);
+    EXPECT_NE(f.verdict, "named");
+}
+
+
+TEST(misfitStability, whatWinsWithoutAChannelIsInTheSet)
+{
+    const finding f(ofTwoGauges(0, 1, false));
+    expectAnswer(f, "set", {"slowFront", "longTail"});
+    EXPECT_NE(f.told.find("one of these: "), std::string::npos) << f.told;
+    EXPECT_NE(f.told.find(" a better match is "), std::string::npos) << f.told;
+    EXPECT_NE(f.advice.find("hangs on"), std::string::npos) << f.advice;
+}
+
+
+TEST(misfitStability, aSetThatHangsOnAChannelIsAsSureAsSuchSetsWere)
+{
+    const finding f(ofTwoGauges(4, 0, false, true));
+    EXPECT_EQ(f.verdict, "set");
+    EXPECT_TRUE(passes(f, "heldOut"));
+
+    // Whatever has one of them counts, with and without a rest
+    scalar sum = 0;
+    for (const auto& p : f.posterior)
+    {
+        const bool has =
+            p.first().find("porePressure") != std::string::npos
+         || p.first().find("walls") != std::string::npos;
+        sum += has ? p.second() : 0;
+    }
+    EXPECT_GT(sum, 0.77);
+    EXPECT_EQ(f.confidence, 0.77);
+}
+
+
+TEST(misfitStability, aSetThatHangsOnAChannelSaysWhereBothAtOnceAreAsGood)
+{
+    const finding both(ofTwoGauges(4, 1, false));
+    const finding one(ofTwoGauges(4, 0, false));
+    ASSERT_EQ(both.verdict, "set");
+    ASSERT_EQ(one.verdict, "set");
+    EXPECT_NE(both.told.find(", or both. "), std::string::npos) << both.told;
+    EXPECT_EQ(one.told.find(", or both"), std::string::npos) << one.told;
+}
+
+
+TEST(misfitStability, aSetThatHangsOnAChannelBesidesStillSaysWhatToMeasure)
+{
+    const finding f(ofTwoGauges(4, 0, true));
+    ASSERT_EQ(f.verdict, "set");
+    EXPECT_NE(f.told.find("cannot tell apart: "), std::string::npos) << f.told;
+    EXPECT_NE(f.told.find(" Without P2 a better match is walls."), std::string::npos)
+        << f.told;
+    EXPECT_FALSE(f.advice.empty());
+    EXPECT_EQ(f.advice.find("hangs on"), std::string::npos) << f.advice;
+}
