@@ -15,11 +15,20 @@
 
 # Code is made for the machine that builds it. A fused multiply-add rounds once
 # where OpenFOAM's packaged libraries round twice; without contraction a run
-# without grains is interFoam's to the last bit, if the solver also takes
-# fvc::reconstruct from libfiniteVolume (extern template): the compiler that
-# built the packages sums its products in another order.
+# without grains is interFoam's to the last bit.
+#
+# OpenFOAM promises the compiler (__restrict__, in ListLoopM.H, v1912 to v2506)
+# that the result of a product of fields is not one of its operands, and then
+# writes the result of `tensor & tmp<vector>` over the vector. In v1912 at -O3
+# every number but the first is wrong by it. The promise is taken away here; for
+# OpenFOAM's own libraries see src/common/fieldProducts.
+#
+# With AVX-512, GCC 12 packs the unrolled products of tensors wrongly (a plain loop
+# over `a[i] & b[i]`: off by a half in the last element of an odd number); loops
+# are still vectorised without.
 INTERDEMFOAM_ARCH ?= native
-c++OPT = -std=c++17 -O3 -march=$(INTERDEMFOAM_ARCH) -ffp-contract=off
+c++OPT = -std=c++17 -O3 -march=$(INTERDEMFOAM_ARCH) -ffp-contract=off \
+    -D__restrict__= -fno-tree-slp-vectorize
 c++WARN = -Wall -Wextra -Wnon-virtual-dtor $(FOAM_EXTRA_CXXFLAGS)
 
 foam = $(foreach d,$(1),-isystem $(LIB_SRC)/$(d)/lnInclude)
