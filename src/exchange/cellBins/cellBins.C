@@ -26,14 +26,17 @@ namespace
 }
 
 
-Foam::cellBins::cellBins(const polyMesh& mesh, const meshWalker& walker)
+Foam::cellBins::cellBins(const sphereOverlap& overlap)
 :
-    walker_(walker),
-    box_(mesh.points(), false),
+    overlap_(overlap),
+    walker_(overlap.walker()),
+    box_(walker_.mesh().points(), false),
     n_(1, 1, 1),
     perLength_(Zero),
-    tolerance_(1e-9*mesh.bounds().mag())
+    tolerance_(1e-9*walker_.mesh().bounds().mag())
 {
+    const polyMesh& mesh = walker_.mesh();
+
     if (!mesh.nCells())
     {
         start_.setSize(2, Zero);
@@ -79,8 +82,9 @@ Foam::cellBins::cellBins(const polyMesh& mesh, const meshWalker& walker)
 
         forAll(bounds, cell)
         {
-            // A cell that ends at a border of bins is not in the next one
-            const vector inset(0.001*bounds[cell].span());
+            // A cell that ends at a border of bins is not in the next one, save
+            // for round-off
+            const vector inset(vector::uniform(tolerance_));
             const labelVector from(bin(bounds[cell].min() + inset));
             const labelVector to(bin(bounds[cell].max() - inset));
 
@@ -118,7 +122,7 @@ inline Foam::labelVector Foam::cellBins::bin(const point& p) const
 }
 
 
-Foam::label Foam::cellBins::find(const point& p) const
+inline bool Foam::cellBins::near(const point& p) const
 {
     for (direction k = 0; k < 3; ++k)
     {
@@ -131,8 +135,19 @@ Foam::label Foam::cellBins::find(const point& p) const
             )
         )
         {
-            return -1;
+            return false;
         }
+    }
+
+    return true;
+}
+
+
+Foam::label Foam::cellBins::find(const point& p) const
+{
+    if (!near(p))
+    {
+        return -1;
     }
 
     const labelVector at(bin(p));
@@ -178,4 +193,82 @@ Foam::label Foam::cellBins::find(const point& p) const
     }
 
     return -1;
+}
+
+
+template<class Condition>
+Foam::label Foam::cellBins::firstAround
+(
+    const point& p,
+    const Condition& is
+) const
+{
+    if (!near(p))
+    {
+        return -1;
+    }
+
+    // Cells that reach into a bin by round-off are not listed there
+    const vector around(vector::uniform(2*tolerance_));
+    const labelVector from(bin(p - around));
+    const labelVector to(bin(p + around));
+
+    for (label k = from.z(); k <= to.z(); ++k)
+    {
+        for (label j = from.y(); j <= to.y(); ++j)
+        {
+            for (label i = from.x(); i <= to.x(); ++i)
+            {
+                const label at = index(i, j, k);
+
+                for (label c = start_[at]; c < start_[at + 1]; ++c)
+                {
+                    if (is(cells_[c]))
+                    {
+                        return cells_[c];
+                    }
+                }
+            }
+        }
+    }
+
+    return -1;
+}
+
+
+Foam::label Foam::cellBins::findByShape(const point& p) const
+{
+    return firstAround
+    (
+        p,
+        [&](const label cell) { return overlap_.inside(p, cell); }
+    );
+}
+
+
+Foam::label Foam::cellBins::findAtWall(const point& p) const
+{
+    return firstAround
+    (
+        p,
+        [&](const label cell)
+        {
+            for (const meshWalker::side& s : walker_.sides(cell))
+            {
+                const scalar beyond = (p & s.normal) - s.offset;
+                const scalar most = s.warp + tolerance_;
+
+                if
+                (
+                    s.next == -1
+                 && mag(beyond) <= most
+                 && overlap_.inside(p - 2*most*s.normal, cell)
+                )
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+    );
 }

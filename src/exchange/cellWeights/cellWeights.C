@@ -5,11 +5,13 @@
 
 #include "swapLists.H"
 
-Foam::cellWeights::cellWeights(const meshWalker& walker, const label nCells)
+Foam::cellWeights::cellWeights(const sphereOverlap& overlap)
 :
-    walker_(walker),
-    nCells_(nCells),
+    walker_(overlap.walker()),
+    overlap_(overlap),
+    nCells_(walker_.mesh().nCells()),
     leaving_(Pstream::nProcs()),
+    reaching_(Pstream::nProcs()),
     theirs_(Pstream::nProcs()),
     ours_(Pstream::nProcs())
 {
@@ -23,10 +25,12 @@ void Foam::cellWeights::clear()
     start_.append(0);
     slots_.clear();
     weights_.clear();
+    pieces_.clear();
 
     forAll(leaving_, rank)
     {
         leaving_[rank].clear();
+        reaching_[rank].clear();
         theirs_[rank].clear();
         ours_[rank].clear();
     }
@@ -143,6 +147,8 @@ void Foam::cellWeights::finish()
 {
     if (Pstream::parRun())
     {
-        numberSlots(follow());
+        DynamicList<arrival> arrivals(follow());
+        insert(followSpheres(), arrivals);
+        numberSlots(arrivals);
     }
 }

@@ -4,10 +4,9 @@
 #include "swapLists.H"
 
 template<class T>
-Foam::Field<T> Foam::cellWeights::gather(const UList<T>& cells) const
+Foam::Field<T> Foam::cellWeights::reached(Field<T>&& cells) const
 {
-    Field<T> values(nCells_);
-    SubList<T>(values, nCells_) = SubList<T>(cells, nCells_);
+    Field<T> values(std::move(cells));
 
     if (Pstream::parRun())
     {
@@ -15,7 +14,7 @@ Foam::Field<T> Foam::cellWeights::gather(const UList<T>& cells) const
 
         forAll(toRanks, rank)
         {
-            toRanks[rank] = List<T>(UIndirectList<T>(cells, ours_[rank]));
+            toRanks[rank] = List<T>(UIndirectList<T>(values, ours_[rank]));
         }
 
         for (const List<T>& from : swapLists(std::move(toRanks)))
@@ -24,16 +23,39 @@ Foam::Field<T> Foam::cellWeights::gather(const UList<T>& cells) const
         }
     }
 
+    return values;
+}
+
+
+template<class T>
+inline T Foam::cellWeights::mean
+(
+    const UList<T>& reached,
+    const label grain
+) const
+{
+    const label last = start_[grain + 1];
+    label i = start_[grain];
+
+    T sum(weights_[i]*reached[slots_[i]]);
+    while (++i < last)
+    {
+        sum += weights_[i]*reached[slots_[i]];
+    }
+
+    return sum;
+}
+
+
+template<class T>
+Foam::Field<T> Foam::cellWeights::gather(const UList<T>& cells) const
+{
+    const Field<T> values(reached(Field<T>(cells)));
     Field<T> result(nGrains());
 
     forAll(result, grain)
     {
-        T sum(Zero);
-        for (label i = start_[grain]; i < start_[grain + 1]; ++i)
-        {
-            sum += weights_[i]*values[slots_[i]];
-        }
-        result[grain] = sum;
+        result[grain] = mean(values, grain);
     }
 
     return result;
@@ -41,7 +63,7 @@ Foam::Field<T> Foam::cellWeights::gather(const UList<T>& cells) const
 
 
 template<class T>
-Foam::Field<T> Foam::cellWeights::spread(const UList<T>& grains) const
+Foam::Field<T> Foam::cellWeights::noSums() const
 {
     label nSlots = nCells_;
     for (const labelList& cells : theirs_)
@@ -49,39 +71,66 @@ Foam::Field<T> Foam::cellWeights::spread(const UList<T>& grains) const
         nSlots += cells.size();
     }
 
-    Field<T> sums(nSlots, Zero);
+    return Field<T>(nSlots, T(Zero));
+}
+
+
+template<class T>
+inline void Foam::cellWeights::add
+(
+    UList<T>& sums,
+    const label grain,
+    const T& value
+) const
+{
+    for (label i = start_[grain]; i < start_[grain + 1]; ++i)
+    {
+        sums[slots_[i]] += weights_[i]*value;
+    }
+}
+
+
+template<class T>
+void Foam::cellWeights::bringHome(Field<T>& sums) const
+{
+    if (!Pstream::parRun())
+    {
+        return;
+    }
+
+    List<List<T>> toRanks(Pstream::nProcs());
+    label at = nCells_;
+
+    forAll(toRanks, rank)
+    {
+        toRanks[rank] = SubList<T>(sums, theirs_[rank].size(), at);
+        at += theirs_[rank].size();
+    }
+
+    const List<List<T>> fromRanks(swapLists(std::move(toRanks)));
+
+    forAll(fromRanks, rank)
+    {
+        forAll(fromRanks[rank], i)
+        {
+            sums[ours_[rank][i]] += fromRanks[rank][i];
+        }
+    }
+
+    sums.setSize(nCells_);
+}
+
+
+template<class T>
+Foam::Field<T> Foam::cellWeights::spread(const UList<T>& grains) const
+{
+    Field<T> sums(noSums<T>());
 
     forAll(grains, grain)
     {
-        for (label i = start_[grain]; i < start_[grain + 1]; ++i)
-        {
-            sums[slots_[i]] += weights_[i]*grains[grain];
-        }
+        add(sums, grain, grains[grain]);
     }
-
-    if (Pstream::parRun())
-    {
-        List<List<T>> toRanks(Pstream::nProcs());
-        label at = nCells_;
-
-        forAll(toRanks, rank)
-        {
-            toRanks[rank] = SubList<T>(sums, theirs_[rank].size(), at);
-            at += theirs_[rank].size();
-        }
-
-        const List<List<T>> fromRanks(swapLists(std::move(toRanks)));
-
-        forAll(fromRanks, rank)
-        {
-            forAll(fromRanks[rank], i)
-            {
-                sums[ours_[rank][i]] += fromRanks[rank][i];
-            }
-        }
-
-        sums.setSize(nCells_);
-    }
+    bringHome(sums);
 
     return sums;
 }

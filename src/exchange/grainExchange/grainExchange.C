@@ -3,22 +3,26 @@
 
 #include "grainExchange.H"
 
+#include "HashSet.H"
+#include "foamCompatibility.H"
 #include "granularPhase.H"
 
 Foam::grainExchange::grainExchange(const fvMesh& mesh)
 :
     mesh_(mesh),
     walker_(mesh),
-    bins_(mesh, walker_),
+    overlap_(walker_),
+    bins_(overlap_),
     images_(mesh),
     bounds_(Pstream::nProcs()),
     sent_(Pstream::nProcs()),
+    cells_(Pstream::nProcs()),
     received_(Pstream::nProcs() + 1, Zero),
     nOutside_(0)
 {
     bounds_[Pstream::myProcNo()] = bins_.bounds();
     Pstream::gatherList(bounds_);
-    Pstream::scatterList(bounds_);
+    compatibility::broadcast(bounds_);
 
     for (boundBox& box : bounds_)
     {
@@ -27,55 +31,89 @@ Foam::grainExchange::grainExchange(const fvMesh& mesh)
 }
 
 
-Foam::locatedGrain Foam::grainExchange::record
+struct Foam::grainExchange::phaseLists
+{
+    const granularPhase& phase;
+    const periodicity& images;
+
+    const UList<point>& position = phase.position();
+    const UList<vector>& velocity = phase.velocity();
+    const UList<vector>& angularVelocity = phase.angularVelocity();
+    const UList<vector>& totalForce = phase.totalForce();
+    const UList<vector>& fluidForce = phase.fluidForce();
+    const UList<scalar>& radius = phase.radius();
+    const UList<scalar>& mass = phase.mass();
+    const UList<label>& id = phase.id();
+
+    //- What is known of grain i where its cell is
+    locatedGrain operator()(const label i, const label cell) const
+    {
+        return locatedGrain
+        {
+            images.wrap(position[i]),
+            velocity[i],
+            angularVelocity[i],
+            totalForce[i],
+            fluidForce[i],
+            radius[i],
+            mass[i],
+            cell,
+            id[i],
+            phase.mobile(i)
+        };
+    }
+};
+
+
+void Foam::grainExchange::checkMayLeave
 (
     const granularPhase& phase,
     const label i
 ) const
 {
-    return locatedGrain
+    const point& p = phase.position()[i];
+
+    if (phase.mayLeave(p, phase.velocity()[i]))
     {
-        images_.wrap(phase.position()[i]),
-        phase.velocity()[i],
-        phase.angularVelocity()[i],
-        phase.totalForce()[i],
-        phase.fluidForce()[i],
-        phase.radius()[i],
-        phase.mass()[i],
-        -1,
-        phase.id()[i],
-        phase.mobile(i)
-    };
+        return;
+    }
+
+    FatalErrorInFunction
+        << "Grain " << phase.id()[i] << " is outside the mesh, at " << p
+        << " m with velocity " << phase.velocity()[i] << " m/s, time "
+        << mesh_.time().timeName() << " s." << nl
+        << "    The mesh is " << mesh_.bounds() << nl
+        << "    The place is "
+        << (
+               mesh_.bounds().contains(images_.wrap(p))
+             ? "within these bounds, but in none of the cells: behind a wall or"
+               " in an obstacle."
+             : "beyond these bounds."
+           )
+        << nl
+        << "    If grains pass a wall: shorten the DEM step or make the"
+        << " grains stiffer. If they start outside: place them in the"
+        << " initial script, in metres. If they may leave: name the"
+        << " patches in"
+        << " LIGGGHTS/outflow of constant/granularProperties."
+        << exit(FatalError);
 }
 
 
-void Foam::grainExchange::outside(const granularPhase& phase, const label i)
+Foam::label Foam::grainExchange::cellOf(const point& p, const search how) const
 {
-    const point& p = phase.position()[i];
-
-    if (!phase.mayLeave(p, phase.velocity()[i]))
-    {
-        FatalErrorInFunction
-            << "Grain " << phase.id()[i] << " is outside the mesh, at " << p
-            << " m with velocity " << phase.velocity()[i] << " m/s, time "
-            << mesh_.time().timeName() << " s." << nl
-            << "    The mesh is " << mesh_.bounds() << nl
-            << "    If grains pass a wall: shorten the DEM step or make the"
-            << " grains stiffer. If they start outside: place them in the"
-            << " initial script, in metres. If they may leave: name the"
-            << " patches in"
-            << " LIGGGHTS/outflow of constant/granularProperties."
-            << exit(FatalError);
-    }
-
-    ++nOutside_;
+    return
+        how == search::planes ? bins_.find(p)
+      : how == search::shape ? bins_.findByShape(p)
+      : bins_.findAtWall(p);
 }
 
 
 void Foam::grainExchange::findElsewhere
 (
     const granularPhase& phase,
-    const labelUList& strangers
+    DynamicList<label>& strangers,
+    const search how
 )
 {
     // Ask the ranks whose bounds hold the point; the lowest that has it in a
@@ -89,7 +127,11 @@ void Foam::grainExchange::findElsewhere
 
         forAll(questions, rank)
         {
-            if (rank != Pstream::myProcNo() && bounds_[rank].contains(p))
+            // This rank has looked among the planes already
+            const bool done =
+                rank == Pstream::myProcNo() && how == search::planes;
+
+            if (!done && bounds_[rank].contains(p))
             {
                 questions[rank].append(p);
                 asked[rank].append(i);
@@ -105,12 +147,12 @@ void Foam::grainExchange::findElsewhere
         answers[rank].setSize(theirs[rank].size());
         forAll(theirs[rank], q)
         {
-            answers[rank][q] = bins_.find(theirs[rank][q]);
+            answers[rank][q] = cellOf(theirs[rank][q], how);
         }
     }
 
     const List<List<label>> found(swapLists(std::move(answers)));
-    Map<bool> placed(2*strangers.size());
+    labelHashSet placed(2*strangers.size());
 
     forAll(found, rank)
     {
@@ -118,39 +160,38 @@ void Foam::grainExchange::findElsewhere
         {
             const label i = asked[rank][q];
 
-            if (found[rank][q] >= 0 && !placed.found(i))
+            if (found[rank][q] >= 0 && placed.insert(i))
             {
-                placed.insert(i, true);
                 sent_[rank].append(i);
+                cells_[rank].append(found[rank][q]);
             }
         }
     }
 
+    DynamicList<label> left;
     for (const label i : strangers)
     {
         if (!placed.found(i))
         {
-            outside(phase, i);
+            left.append(i);
         }
     }
+    strangers.transfer(left);
 }
 
 
-void Foam::grainExchange::collect
-(
-    const granularPhase& phase,
-    const labelUList& ownCells
-)
+void Foam::grainExchange::collect(const granularPhase& phase)
 {
     const label me = Pstream::myProcNo();
+    const phaseLists all{phase, images_};
     List<List<locatedGrain>> toRanks(Pstream::nProcs());
 
     forAll(toRanks, rank)
     {
-        toRanks[rank].setSize(sent_[rank].size());
+        toRanks[rank].setSize(rank == me ? 0 : sent_[rank].size());
         forAll(toRanks[rank], j)
         {
-            toRanks[rank][j] = record(phase, sent_[rank][j]);
+            toRanks[rank][j] = all(sent_[rank][j], cells_[rank][j]);
         }
     }
 
@@ -159,19 +200,27 @@ void Foam::grainExchange::collect
     received_ = Zero;
     forAll(fromRanks, rank)
     {
-        received_[rank + 1] = received_[rank] + fromRanks[rank].size();
+        const label n =
+            rank == me ? sent_[me].size() : fromRanks[rank].size();
+        received_[rank + 1] = received_[rank] + n;
     }
     grains_.setSize(received_.last());
 
+    // Those that stay are written once, where they belong
+    forAll(sent_[me], k)
+    {
+        grains_[received_[me] + k] = all(sent_[me][k], cells_[me][k]);
+    }
     forAll(fromRanks, rank)
     {
-        forAll(fromRanks[rank], k)
+        if (rank != me)
         {
-            locatedGrain& grain = grains_[received_[rank] + k];
-
-            grain = fromRanks[rank][k];
-            grain.cell =
-                rank == me ? ownCells[k] : bins_.find(grain.position);
+            SubList<locatedGrain>
+            (
+                grains_,
+                fromRanks[rank].size(),
+                received_[rank]
+            ) = fromRanks[rank];
         }
     }
 }
@@ -179,14 +228,13 @@ void Foam::grainExchange::collect
 
 void Foam::grainExchange::locate(const granularPhase& phase)
 {
-    for (auto& list : sent_)
+    forAll(sent_, rank)
     {
-        list.clear();
+        sent_[rank].clear();
+        cells_[rank].clear();
     }
-    nOutside_ = 0;
 
     const label me = Pstream::myProcNo();
-    DynamicList<label> ownCells(phase.size());
     DynamicList<label> strangers;
 
     const UList<point>& position = phase.position();
@@ -198,7 +246,7 @@ void Foam::grainExchange::locate(const granularPhase& phase)
         if (cell >= 0)
         {
             sent_[me].append(i);
-            ownCells.append(cell);
+            cells_[me].append(cell);
         }
         else
         {
@@ -206,13 +254,24 @@ void Foam::grainExchange::locate(const granularPhase& phase)
         }
     }
 
-    if (returnReduce(strangers.size(), sumOp<label>()))
+    // What is slow is left to the few that nothing else finds
+    nOutside_ = returnReduce(strangers.size(), sumOp<label>());
+
+    for (const search how : {search::planes, search::shape, search::wall})
     {
-        findElsewhere(phase, strangers);
-        reduce(nOutside_, sumOp<label>());
+        if (nOutside_)
+        {
+            findElsewhere(phase, strangers, how);
+            nOutside_ = returnReduce(strangers.size(), sumOp<label>());
+        }
     }
 
-    collect(phase, ownCells);
+    for (const label i : strangers)
+    {
+        checkMayLeave(phase, i);
+    }
+
+    collect(phase);
 }
 
 
@@ -222,20 +281,29 @@ Foam::vectorField Foam::grainExchange::toPhase
     const label nPhase
 ) const
 {
+    const label me = Pstream::myProcNo();
     List<List<vector>> toRanks(Pstream::nProcs());
 
     forAll(toRanks, rank)
     {
-        toRanks[rank] = SubList<vector>
-        (
-            values,
-            received_[rank + 1] - received_[rank],
-            received_[rank]
-        );
+        if (rank != me)
+        {
+            toRanks[rank] = SubList<vector>
+            (
+                values,
+                received_[rank + 1] - received_[rank],
+                received_[rank]
+            );
+        }
     }
 
     const List<List<vector>> fromRanks(swapLists(std::move(toRanks)));
     vectorField result(nPhase, Zero);
+
+    forAll(sent_[me], k)
+    {
+        result[sent_[me][k]] = values[received_[me] + k];
+    }
 
     forAll(fromRanks, rank)
     {

@@ -86,6 +86,7 @@ void Foam::meshWalker::setSides()
             s.normal = area/(mag(area) + VSMALL);
             s.offset = s.normal & mesh_.faceCentres()[f];
             s.warp = 0;
+            s.face = owner ? f : -1 - f;
 
             for (const label p : mesh_.faces()[f])
             {

@@ -4,9 +4,10 @@
 #include "diffusion.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "cyclicFvPatch.H"
 #include "keywords.H"
+#include "processorFvPatch.H"
 #include "surfaceFields.H"
-#include "syncTools.H"
 #include "volFields.H"
 
 namespace Foam
@@ -52,7 +53,7 @@ Foam::smoothingModels::diffusion::diffusion
 
     for (const fvPatch& patch : mesh.boundary())
     {
-        if (patch.coupled())
+        if (isA<processorFvPatch>(patch) || isA<cyclicFvPatch>(patch))
         {
             const scalarField g(patch.magSf()*patch.deltaCoeffs());
 
@@ -84,6 +85,55 @@ void Foam::smoothingModels::diffusion::setDiameter(const scalar d)
 
 
 template<class T>
+void Foam::smoothingModels::diffusion::swap
+(
+    const Field<T>& cells,
+    Field<T>& behind
+) const
+{
+    const auto commsType = Pstream::commsTypes::nonBlocking;
+    const label firstRequest = Pstream::nRequests();
+
+    for (const fvPatch& patch : mesh_.boundary())
+    {
+        if (isA<processorFvPatch>(patch))
+        {
+            refCast<const processorFvPatch>(patch).send
+            (
+                commsType,
+                Field<T>(cells, patch.faceCells())
+            );
+        }
+    }
+
+    Pstream::waitRequests(firstRequest);
+
+    for (const fvPatch& patch : mesh_.boundary())
+    {
+        SubField<T> values
+        (
+            behind,
+            patch.size(),
+            patch.start() - mesh_.nInternalFaces()
+        );
+
+        if (isA<processorFvPatch>(patch))
+        {
+            refCast<const processorFvPatch>(patch).receive(commsType, values);
+        }
+        else if (isA<cyclicFvPatch>(patch))
+        {
+            values = Field<T>
+            (
+                cells,
+                refCast<const cyclicFvPatch>(patch).neighbFvPatch().faceCells()
+            );
+        }
+    }
+}
+
+
+template<class T>
 void Foam::smoothingModels::diffusion::diffuse(Field<T>& cells) const
 {
     const label nInternal = mesh_.nInternalFaces();
@@ -93,7 +143,7 @@ void Foam::smoothingModels::diffusion::diffuse(Field<T>& cells) const
     const scalarField& volume = mesh_.V();
 
     Field<T> gain(cells.size());
-    List<T> behind;
+    Field<T> behind(mesh_.nFaces() - nInternal, Zero);
 
     for (label n = 0; n < nSteps_; ++n)
     {
@@ -109,7 +159,7 @@ void Foam::smoothingModels::diffusion::diffuse(Field<T>& cells) const
             gain[neighbour[f]] -= flux;
         }
 
-        syncTools::swapBoundaryCellList(mesh_, cells, behind);
+        swap(cells, behind);
 
         forAll(behind, i)
         {

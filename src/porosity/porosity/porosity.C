@@ -16,7 +16,7 @@ Foam::porosity::porosity(const grainExchange& exchange, const dictionary& dict)
         smoothingModel::New(exchange.mesh(), keywords::sub(dict, "smoothing"))
     ),
     minimum_(dict.lookupOrDefault<scalar>("minimum", 0.3)),
-    weights_(exchange.walker(), exchange.mesh().nCells()),
+    weights_(exchange.overlap()),
     solidFraction_(exchange.mesh().nCells(), Zero),
     spreadVolume_(0),
     totalVolume_(0)

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Volume of a sphere in cells of any shape, against points thrown at random.
+
+#include "sphereOverlap.H"
+#include "otherMeshes.H"
+#include "scatteredGrains.H"
+#include "testNumber.H"
+
+#include "tetPointRef.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+
+namespace
+{
+
+//- Cells of 1/6 m
+testBox box()
+{
+    testBox b;
+    b.cells = labelVector(6, 6, 6);
+    return b;
+}
+
+
+scalar volumeOf(const scalar radius)
+{
+    return 4*constant::mathematical::pi/3*pow3(radius);
+}
+
+
+//- Points spread evenly over a sphere
+pointField pointsIn(const label n, const point& centre, const scalar radius)
+{
+    Random random(7);
+    pointField result(n);
+
+    for (point& p : result)
+    {
+        do
+        {
+            for (direction k = 0; k < 3; ++k)
+            {
+                p[k] = 2*random.sample01<scalar>() - 1;
+            }
+        } while (magSqr(p) > 1);
+
+        p = centre + radius*p;
+    }
+    return result;
+}
+
+
+//- True for a point in one of the tetrahedra that centre, faces' centres and
+//  edges of the cell make
+bool inTetrahedra(const polyMesh& mesh, const label cell, const point& p)
+{
+    const point& middle = mesh.cellCentres()[cell];
+
+    for (const label f : mesh.cells()[cell])
+    {
+        const face& corners = mesh.faces()[f];
+
+        forAll(corners, i)
+        {
+            point a(mesh.points()[corners[i]]);
+            point b(mesh.points()[corners.nextLabel(i)]);
+            if (mesh.faceOwner()[f] != cell)
+            {
+                std::swap(a, b);
+            }
+            if (tetPointRef(middle, a, b, mesh.faceCentres()[f]).inside(p))
+            {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+
+//- Share of the points in each cell
+scalarField sharesOfPoints(const polyMesh& mesh, const pointField& points)
+{
+    const boundBox around(points, false);
+    scalarField result(mesh.nCells(), Zero);
+
+    forAll(result, cell)
+    {
+        const boundBox bounds
+        (
+            mesh.cells()[cell].points(mesh.faces(), mesh.points()),
+            false
+        );
+
+        if (!bounds.overlaps(around))
+        {
+            continue;
+        }
+        for (const point& p : points)
+        {
+            if (bounds.contains(p) && inTetrahedra(mesh, cell, p))
+            {
+                result[cell] += 1.0/points.size();
+            }
+        }
+    }
+    return result;
+}
+
+
+//- Share of a sphere in each cell, by the faces
+scalarField sharesOfSphere
+(
+    const sphereOverlap& overlap,
+    const label cell,
+    const point& centre,
+    const scalar radius
+)
+{
+    DynamicList<sphereOverlap::piece> pieces;
+    DynamicList<sphereOverlap::exit> exits;
+    pieces.append(sphereOverlap::piece{cell, centre, volumeOf(radius)});
+    overlap.flood(radius, 0, pieces, exits);
+
+    scalarField result(overlap.walker().mesh().nCells(), Zero);
+    for (const auto& p : pieces)
+    {
+        result[p.cell] += p.volume/volumeOf(radius);
+    }
+    return result;
+}
+
+
+label cellByTetrahedra(const polyMesh& mesh, const point& p)
+{
+    label cell = 0;
+    while (cell < mesh.nCells() && !inTetrahedra(mesh, cell, p))
+    {
+        ++cell;
+    }
+    return cell;
+}
+
+
+//- Spheres of many sizes against points, none of them reaching a wall
+void expectVolumesOfPoints(const char* what, const polyMesh& mesh)
+{
+    const meshWalker walker(mesh);
+    const sphereOverlap overlap(walker);
+    const label nPoints = 40000;
+    scalar worst = 0;
+    scalar lost = 0;
+    scalar least = 1;
+
+    for (const scalar radius : {0.01, 0.04, 0.08, 0.15, 0.25})
+    {
+        for
+        (
+            const point& centre
+          : randomPoints(6, {0.3, 0.3, 0.3}, {0.7, 0.7, 0.7})
+        )
+        {
+            const scalarField points
+            (
+                sharesOfPoints(mesh, pointsIn(nPoints, centre, radius))
+            );
+            const scalarField exact
+            (
+                sharesOfSphere
+                (
+                    overlap, cellByTetrahedra(mesh, centre), centre, radius
+                )
+            );
+            worst = max(worst, max(mag(points - exact)));
+            lost = max(lost, mag(sum(exact) - 1));
+            least = min(least, min(exact));
+        }
+    }
+
+    testNumber((std::string(what) + ": largest difference").c_str(), worst);
+    testNumber((std::string(what) + ": error of the sum").c_str(), lost);
+
+    // Four standard deviations of the points in a half
+    EXPECT_LT(worst, 4*0.5/std::sqrt(scalar(nPoints))) << what;
+    EXPECT_LT(lost, 1e-12) << what;
+    EXPECT_GT(least, -1e-9) << what;
+}
+
+} // End anonymous namespace
+
+
+TEST(sphereOverlap, isTheVolumeOfRandomPointsInABox)
+{
+    testMesh test(box());
+    expectVolumesOfPoints("box", test.mesh());
+}
+
+
+TEST(sphereOverlap, isTheVolumeOfRandomPointsAtRefinedCells)
+{
+    testMesh test(box());
+    refineBeyond(test.mesh(), 0.5);
+    ASSERT_EQ(test.mesh().nCells(), 108 + 8*108);
+    expectVolumesOfPoints("refined", test.mesh());
+}
+
+
+TEST(sphereOverlap, isTheVolumeOfRandomPointsInBentCells)
+{
+    testMesh test(box());
+    refineBeyond(test.mesh(), 0.5);
+    movePoints(test.mesh(), bent);
+    expectVolumesOfPoints("bent", test.mesh());
+}
+
+
+TEST(sphereOverlap, isTheVolumeOfRandomPointsInConcaveWarpedCells)
+{
+    testMesh test(box());
+    refineBeyond(test.mesh(), 0.5);
+    movePoints
+    (
+        test.mesh(),
+        [](const point& p) { return crumpled(p, 0.012); }
+    );
+    expectVolumesOfPoints("crumpled", test.mesh());
+}
