@@ -74,6 +74,7 @@ void Foam::grainContactModel::apply(liggghtsInstance& liggghts) const
         "coefficientRollingFriction", "peratomtypepair 1", "rollingFriction"
     );
 
+    liggghts.vectoriseContacts();
     liggghts.command(std::string("pair_style gran ") + model);
     liggghts.command("pair_coeff * *");
 }

@@ -92,7 +92,6 @@ void Foam::settlingBox::readGrains(const fileName& folder)
 
     liggghts_.command("units si");
     liggghts_.command("atom_style granular");
-    liggghts_.command("atom_modify map array");
     liggghts_.command(boundary);
     liggghts_.command("newton off");
     liggghts_.command("communicate single vel yes");

@@ -5,8 +5,8 @@
 #include "grainSnapshot.H"
 
 #include "IOField.H"
-#include "OFstream.H"
 #include "Time.H"
+#include "foamCompatibility.H"
 #include "functionObject.H"
 #include "granularPhase.H"
 #include "passiveParticleCloud.H"
@@ -68,11 +68,10 @@ bool writeChecked(const regIOobject& io, const bool valid)
 
     mkDir(path.path());
 
-    OFstream os
+    compatibility::outputFile os
     (
         path,
         time.writeFormat(),
-        IOstream::currentVersion,
         time.writeCompression()
     );
 
@@ -152,7 +151,7 @@ wordList allNames(wordList names)
     List<wordList> all(Pstream::nProcs());
     all[Pstream::myProcNo()] = names;
     Pstream::gatherList(all);
-    Pstream::scatterList(all);
+    compatibility::broadcast(all);
 
     wordHashSet united;
     for (const wordList& some : all)
@@ -202,7 +201,7 @@ bool writePositions
     const labelUList& cells
 )
 {
-    passiveParticleCloud grains
+    Cloud<passiveParticle> grains
     (
         mesh,
         grainSnapshot::cloudName,

@@ -6,6 +6,7 @@
 #include "OSspecific.H"
 #include "Pstream.H"
 #include "fpeGuard.H"
+#include "vectorisedContacts.H"
 
 #include <mpi.h>
 
@@ -13,6 +14,7 @@
 #include <cstdlib>
 #include <iostream>
 
+#include <liggghts/force.h>
 #include <liggghts/lammps.h>
 #include <liggghts/library.h>
 #include <liggghts/integrate.h>
@@ -44,6 +46,14 @@ namespace
         for (const std::string& line : heard->lines())
         {
             std::cerr << "    " << line << '\n';
+
+            // It goes on with 'boundary m m m', which is not for this program
+            if (line.find("esh elements have been lost") != std::string::npos)
+            {
+                hint =
+                    "A surface of the script reaches out of the box of the grains:"
+                    " enlarge the region that create_box names.";
+            }
 
             // What LIGGGHTS 3.8 adds to an error is read from freed memory
             if (line.compare(0, 5, "ERROR") == 0)
@@ -158,6 +168,20 @@ Foam::liggghtsInstance::~liggghtsInstance()
     const fpeGuard guard;
     lammps_close(lmp_);
     heard = nullptr;
+}
+
+
+bool Foam::liggghtsInstance::vectoriseContacts()
+{
+    return vectorisedContacts::addStyle(lmp_);
+}
+
+
+std::string Foam::liggghtsInstance::whyContactsAreStock() const
+{
+    auto* own = dynamic_cast<vectorisedContacts*>(lmp_->force->pair);
+
+    return own ? own->reason() : "that is what was asked for";
 }
 
 

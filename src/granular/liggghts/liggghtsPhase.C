@@ -8,6 +8,7 @@
 #include "Time.H"
 #include "addToRunTimeSelectionTable.H"
 #include "fixFluidForce.H"
+#include "foamCompatibility.H"
 #include "keywords.H"
 #include "liggghtsChecks.H"
 
@@ -17,6 +18,7 @@
 #include <liggghts/fix.h>
 #include <liggghts/lammps.h>
 #include <liggghts/modify.h>
+#include <liggghts/universe.h>
 #include <liggghts/update.h>
 
 namespace Foam
@@ -54,7 +56,10 @@ Foam::liggghtsPhase::liggghtsPhase
         (
             dict,
             typeName,
-            {"initial", "physics", "variables", "walls", "outflow"}
+            {
+                "initial", "physics", "contacts", "variables", "walls",
+                "outflow"
+            }
         )
     ),
     g_(g),
@@ -79,10 +84,12 @@ Foam::liggghtsPhase::liggghtsPhase
 {
     Info<< "Grains: LIGGGHTS" << endl;
 
+    chooseContacts();
     setVariables();
     createGrains();
     liggghtsChecks::units(liggghts_, initialScript_);
     liggghtsChecks::domain(liggghts_, mesh, initialScript_);
+    walls_.makeRoom(liggghts_);
 
     liggghts_.script(physicsScript_, mesh.time().globalPath());
     addOwnFixes();
@@ -96,7 +103,14 @@ Foam::liggghtsPhase::liggghtsPhase
 
     Info<< "    " << nGrains_ << " grains, step " << timeStep()
         << " s, exchange every " << stepsPerExchange() << " steps = "
-        << exchangeInterval() << " s" << nl << endl;
+        << exchangeInterval() << " s" << nl;
+
+    const std::string stock(liggghts_.whyContactsAreStock());
+    const std::string contacts
+    (
+        stock.empty() ? "vectorised" : "by LIGGGHTS's own loop: " + stock
+    );
+    Info<< "    contacts " << contacts.c_str() << nl << endl;
 }
 
 
@@ -107,15 +121,20 @@ Foam::fileName Foam::liggghtsPhase::script
     const word& key
 )
 {
-    fileName path
-    (
-        dict.lookupOrDefault<fileName>(key, "constant/grains." + key)
-    );
+    const fileName root(mesh.time().globalPath());
+    fileName path("constant/grains/" + key);
+
+    // In constant itself OpenFOAM's postProcess misses a header in it
+    if (!isFile(root/path) && isFile(root/"constant/grains." + key))
+    {
+        path = "constant/grains." + key;
+    }
+    path = dict.lookupOrDefault<fileName>(key, path);
     path.expand();
 
     if (!path.isAbsolute())
     {
-        path = mesh.time().globalPath()/path;
+        path = root/path;
     }
 
     if (!isFile(path))
@@ -168,6 +187,34 @@ Foam::labelVector Foam::liggghtsPhase::cuts() const
 }
 
 
+void Foam::liggghtsPhase::chooseContacts()
+{
+    const word contacts
+    (
+        keywords::choice
+        (
+            dict_,
+            "contacts",
+            "way to compute contacts",
+            {"vectorised", "stock"},
+            "vectorised"
+        )
+    );
+
+    if
+    (
+        contacts == "vectorised" && !liggghts_.vectoriseContacts()
+     && dict_.found("contacts")
+    )
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Vectorised contacts are those of LIGGGHTS 3.8, but this is "
+            << liggghts_->universe->version << nl
+            << "    Write: contacts stock;" << exit(FatalIOError);
+    }
+}
+
+
 void Foam::liggghtsPhase::createGrains()
 {
     fixFluidForce::addStyle(&*liggghts_);
@@ -193,7 +240,7 @@ void Foam::liggghtsPhase::createGrains()
     (
         fileHandler().filePath(mesh_.time().timePath()/stateFolder/"state")
     );
-    Pstream::scatter(state);
+    compatibility::broadcast(state);
 
     if (state.size())
     {

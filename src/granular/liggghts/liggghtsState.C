@@ -5,6 +5,7 @@
 
 #include "Map.H"
 #include "OSspecific.H"
+#include "foamCompatibility.H"
 #include "grainSnapshot.H"
 #include "fpeGuard.H"
 
@@ -225,7 +226,7 @@ bool Foam::liggghtsPhase::writeState(const fileName& folder)
     {
         complete = endsWith(aside, sizes.last()) && mv(aside, folder/"state");
     }
-    Pstream::scatter(complete);
+    compatibility::broadcast(complete);
 
     // Writing moves grains between ranks without making neighbour lists
     liggghts_.setup();

@@ -3,9 +3,6 @@
 
 #include "liggghtsWalls.H"
 
-#include "ListListOps.H"
-#include "OFstream.H"
-#include "OSspecific.H"
 #include "Time.H"
 #include "keywords.H"
 #include "liggghtsChecks.H"
@@ -14,9 +11,8 @@
 #include "periodicity.H"
 #include "wallPolyPatch.H"
 
-#include <fstream>
-
 #include <liggghts/atom.h>
+#include <liggghts/domain.h>
 #include <liggghts/lammps.h>
 
 Foam::liggghtsWalls::liggghtsWalls
@@ -96,120 +92,6 @@ Foam::string Foam::liggghtsWalls::boundary(const fvMesh& mesh)
 }
 
 
-Foam::labelList Foam::liggghtsWalls::sides(const polyPatch& patch) const
-{
-    const boundBox& box = mesh_.bounds();
-    const scalar tolerance = 1e-6*box.mag();
-
-    label nFacesOn = 0;
-    FixedList<scalar, 6> area(0.0);
-
-    forAll(patch, facei)
-    {
-        for (label i = 0; i < 6; ++i)
-        {
-            const direction k = i/2;
-            const scalar plane = i % 2 ? box.max()[k] : box.min()[k];
-
-            bool on = true;
-            for (const label p : patch[facei])
-            {
-                on = on && mag(mesh_.points()[p][k] - plane) < tolerance;
-            }
-
-            if (on)
-            {
-                area[i] += mag(patch.faceAreas()[facei]);
-                ++nFacesOn;
-                break;
-            }
-        }
-    }
-
-    // A plane has no end: it serves only where the patch has the whole side
-    bool planes = returnReduce(nFacesOn == patch.size(), andOp<bool>());
-    DynamicList<label> result;
-
-    for (label i = 0; i < 6; ++i)
-    {
-        const vector span(box.span());
-        const scalar whole = span[(i/2 + 1) % 3]*span[(i/2 + 2) % 3];
-
-        reduce(area[i], sumOp<scalar>());
-
-        if (area[i] > 0)
-        {
-            result.append(i);
-            planes = planes && area[i] > (1 - 1e-6)*whole;
-        }
-    }
-
-    return planes ? labelList(std::move(result)) : labelList();
-}
-
-
-Foam::fileName Foam::liggghtsWalls::writeSurface(const polyPatch& patch) const
-{
-    List<pointField> triangles(Pstream::nProcs());
-    DynamicList<point> mine;
-
-    for (const face& f : patch.localFaces())
-    {
-        for (label i = 1; i + 1 < f.size(); ++i)
-        {
-            mine.append(patch.localPoints()[f[0]]);
-            mine.append(patch.localPoints()[f[i]]);
-            mine.append(patch.localPoints()[f[i + 1]]);
-        }
-    }
-
-    triangles[Pstream::myProcNo()] = mine;
-    Pstream::gatherList(triangles);
-
-    const fileName path
-    (
-        mesh_.time().globalPath()/"constant"/"grainWalls"/(patch.name() + ".stl")
-    );
-
-    if (Pstream::master())
-    {
-        const pointField all
-        (
-            ListListOps::combine<pointField>(triangles, accessOp<pointField>())
-        );
-
-        mkDir(path.path());
-        std::ofstream os(path);
-        os.precision(12);
-        os << "solid " << patch.name() << '\n';
-
-        for (label i = 0; i + 2 < all.size(); i += 3)
-        {
-            os << "facet normal 0 0 0\nouter loop\n";
-            for (label k = i; k < i + 3; ++k)
-            {
-                os  << "vertex " << all[k].x() << ' ' << all[k].y() << ' '
-                    << all[k].z() << '\n';
-            }
-            os << "endloop\nendfacet\n";
-        }
-
-        os << "endsolid\n";
-        os.close();
-
-        if (!os)
-        {
-            FatalErrorInFunction
-                << "Cannot write the wall of the grains to " << path << nl
-                << "    Is the disk full, or the folder read-only?"
-                << exit(FatalError);
-        }
-    }
-
-    return path;
-}
-
-
 void Foam::liggghtsWalls::addPlanes
 (
     liggghtsInstance& liggghts,
@@ -246,19 +128,57 @@ void Foam::liggghtsWalls::addPlanes
 void Foam::liggghtsWalls::addSurface
 (
     liggghtsInstance& liggghts,
-    const polyPatch& patch
+    const polyPatch& patch,
+    std::set<wallTriangles::corners, wallTriangles::before>& others
 )
 {
+    // On the first rank
+    List<wallTriangles::corners> faces(wallTriangles::faces(patch));
+    const label twins =
+        returnReduce(wallTriangles::dropTwins(faces, others), sumOp<label>());
+    const label n = returnReduce(faces.size(), sumOp<label>());
+
+    Info<< "    wall " << patch.name() << ": surface";
+    if (twins)
+    {
+        Info<< " of " << n << " faces; " << twins << " more are the other side of"
+            << " a thin plate and stand already";
+    }
+    Info<< endl;
+
+    if (!n)
+    {
+        return;
+    }
+
+    const fileName path
+    (
+        mesh_.time().globalPath()/"constant"/"grainWalls"/(patch.name() + ".stl")
+    );
+    scalar angle;
+    const DynamicList<point> triangles
+    (
+        wallTriangles::of(patch.name(), faces, angle)
+    );
+    reduce(angle, minOp<scalar>());
+
+    if (Pstream::master())
+    {
+        wallTriangles::write(path, triangles);
+    }
+
+    // In degrees. Faces that differ by less are one plane: with a smaller one all
+    // surfaces would have more edges
+    const bool thin = angle < wallTriangles::smallestByDefault;
+    const string curvature(thin ? " curvature 0.0573" : "");
     const word id("mesh" + Foam::name(nWalls_++));
 
     liggghts.command
     (
-        "fix " + id + " all mesh/surface file " + writeSurface(patch)
-      + " type " + Foam::name(material(liggghts, patch))
+        "fix " + id + " all mesh/surface file " + path + " type "
+      + Foam::name(material(liggghts, patch)) + curvature
     );
     surfaces_.insert(patch.name(), id);
-
-    Info<< "    wall " << patch.name() << ": surface" << endl;
 }
 
 
@@ -310,11 +230,62 @@ bool Foam::liggghtsWalls::isWall(const polyPatch& patch) const
 }
 
 
-void Foam::liggghtsWalls::add(liggghtsInstance& liggghts)
+bool Foam::liggghtsWalls::hasFaces(const polyPatch& patch)
 {
+    return returnReduce(patch.size(), sumOp<label>());
+}
+
+
+void Foam::liggghtsWalls::makeRoom(liggghtsInstance& liggghts) const
+{
+    const LAMMPS_NS::Domain& domain = *liggghts->domain;
+    boundBox walls;
+
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
-        if (!isWall(patch) || !returnReduce(patch.size(), sumOp<label>()))
+        if (isWall(patch) && hasFaces(patch) && sides(patch).empty())
+        {
+            walls.add(patch.localPoints());
+        }
+    }
+    walls.reduce();
+
+    if (walls.empty())
+    {
+        return;
+    }
+
+    std::ostringstream ends;
+    ends.precision(17);
+
+    for (direction k = 0; k < 3; ++k)
+    {
+        const scalar lo = min(walls.min()[k], domain.boxlo[k]);
+        const scalar hi = max(walls.max()[k], domain.boxhi[k]);
+        const bool larger = lo < domain.boxlo[k] || hi > domain.boxhi[k];
+
+        if (larger && !domain.periodicity[k])
+        {
+            ends << ' ' << "xyz"[k] << " final " << lo << ' ' << hi;
+        }
+    }
+
+    if (ends.tellp() > 0)
+    {
+        liggghts.command("change_box all" + ends.str() + " units box");
+        Info<< "    box of the grains enlarged, as walls reach beyond it:"
+            << ends.str().c_str() << endl;
+    }
+}
+
+
+void Foam::liggghtsWalls::add(liggghtsInstance& liggghts)
+{
+    std::set<wallTriangles::corners, wallTriangles::before> faces;
+
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (!isWall(patch) || !hasFaces(patch))
         {
             continue;
         }
@@ -329,7 +300,7 @@ void Foam::liggghtsWalls::add(liggghtsInstance& liggghts)
         }
         else
         {
-            addSurface(liggghts, patch);
+            addSurface(liggghts, patch, faces);
         }
     }
 

@@ -6,7 +6,9 @@
 #include "DynamicList.H"
 #include "HashSet.H"
 #include "ListListOps.H"
-#include "PstreamCombineReduceOps.H"
+#include "Map.H"
+#include "foamCompatibility.H"
+#include "swapLists.H"
 
 void Foam::rollCall::note
 (
@@ -21,52 +23,76 @@ void Foam::rollCall::note
 }
 
 
+namespace
+{
+    //- Ids, each for the rank that hears of it from whoever lost it and from
+    //  whoever got it
+    Foam::List<Foam::List<Foam::label>> toMeet(const Foam::labelUList& ids)
+    {
+        using namespace Foam;
+
+        List<DynamicList<label>> toRanks(Pstream::nProcs());
+
+        for (const label id : ids)
+        {
+            toRanks[id % Pstream::nProcs()].append(id);
+        }
+
+        return swapLists(toRanks);
+    }
+}
+
+
 Foam::List<Foam::rollCall::seen> Foam::rollCall::missing
 (
     const UList<label>& id
 ) const
 {
-    const labelHashSet here(id);
-    DynamicList<seen> notHere;
+    labelHashSet newcomers(id);
+    DynamicList<label> notHere;
+    Map<label> noted;
 
     forAll(id_, i)
     {
-        if (!here.found(id_[i]))
+        if (!newcomers.erase(id_[i]))
         {
-            notHere.append
-            (
-                seen(id_[i], Pair<vector>(position_[i], velocity_[i]))
-            );
+            notHere.append(id_[i]);
+            noted.insert(id_[i], i);
         }
     }
-
-    List<List<seen>> ofRanks(Pstream::nProcs());
-    ofRanks[Pstream::myProcNo()] = notHere;
-    Pstream::gatherList(ofRanks);
-    Pstream::scatterList(ofRanks);
-
-    const List<seen> all
-    (
-        ListListOps::combine<List<seen>>(ofRanks, accessOp<List<seen>>())
-    );
 
     // Most of them are on another rank now
-    labelList found(all.size(), Zero);
-    forAll(all, i)
+    labelHashSet elsewhere;
+    for (const List<label>& from : toMeet(newcomers.toc()))
     {
-        found[i] = here.found(all[i].first());
+        elsewhere.insert(from);
     }
-    Pstream::listCombineGather(found, maxEqOp<label>());
-    Pstream::listCombineScatter(found);
 
-    DynamicList<seen> result;
-    forAll(all, i)
+    List<List<label>> answers(toMeet(notHere));
+    for (List<label>& ids : answers)
     {
-        if (!found[i])
+        inplaceSubsetList
+        (
+            ids,
+            [&](const label gone){ return !elsewhere.found(gone); }
+        );
+    }
+
+    List<List<seen>> all(Pstream::nProcs());
+    DynamicList<seen> lost;
+
+    for (const List<label>& ids : swapLists(std::move(answers)))
+    {
+        for (const label gone : ids)
         {
-            result.append(all[i]);
+            const label i = noted[gone];
+            lost.append(seen(gone, Pair<vector>(position_[i], velocity_[i])));
         }
     }
 
-    return List<seen>(std::move(result));
+    all[Pstream::myProcNo()] = lost;
+    Pstream::gatherList(all);
+    compatibility::broadcast(all);
+
+    return ListListOps::combine<List<seen>>(all, accessOp<List<seen>>());
 }

@@ -1,0 +1,468 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Walls of the grains made from wall patches: triangles that LIGGGHTS takes,
+// planes where a patch is in a side of the mesh's box, room for all of it.
+
+#include "liggghtsInstance.H"
+#include "liggghtsWalls.H"
+#include "testMesh.H"
+#include "wallTriangles.H"
+
+#include "ListOps.H"
+#include "unitConversion.H"
+
+#include <gtest/gtest.h>
+#include <liggghts/domain.h>
+#include <liggghts/lammps.h>
+
+#include <fstream>
+
+using namespace Foam;
+
+namespace
+{
+
+using wallTriangles::corners;
+
+
+//- Area of a triangle of the polygon along z; negative if turned against it
+scalar area(const corners& at, const triFace& t)
+{
+    return 0.5*
+    (
+        (at[t[1]] - at[t[0]]) ^ (at[t[2]] - at[t[0]])
+    ).z();
+}
+
+
+//- Smallest angle of the triangulation [degrees], which must fill the polygon of
+//  that area without overlap
+scalar smallestAngle(const corners& at, const scalar whole)
+{
+    scalar angle;
+    const List<triFace> triangles(wallTriangles::best(at, angle));
+    scalar filled = 0;
+
+    EXPECT_EQ(triangles.size(), at.size() - 2);
+    for (const triFace& t : triangles)
+    {
+        EXPECT_GT(area(at, t), 0) << t[0] << ' ' << t[1] << ' ' << t[2];
+        filled += area(at, t);
+    }
+    EXPECT_NEAR(filled, whole, 1e-12);
+
+    return radToDeg(angle);
+}
+
+
+//- How many triangles have both corners
+label withEdge(const List<triFace>& triangles, const label a, const label b)
+{
+    label n = 0;
+    for (const triFace& t : triangles)
+    {
+        n += t.which(a) >= 0 && t.which(b) >= 0;
+    }
+    return n;
+}
+
+
+//- A box, corners of which can be moved, and LIGGGHTS with walls made from it
+class walledBox
+{
+    testMesh box_;
+
+    const fileName script_;
+
+    autoPtr<liggghtsInstance> liggghts_;
+
+    autoPtr<liggghtsWalls> walls_;
+
+public:
+
+    explicit walledBox(const testBox& box = testBox())
+    :
+        box_(box),
+        script_(box_.folder()/"physics")
+    {
+        std::ofstream(script_)
+            << "pair_style gran model hertz tangential history\n";
+    }
+
+    fvMesh& mesh()
+    {
+        return box_.mesh();
+    }
+
+    //- Move all corners; way gives by how much one at p does
+    template<class Way>
+    void move(const Way& way)
+    {
+        pointField points(mesh().points());
+        for (point& p : points)
+        {
+            p += way(p);
+        }
+        mesh().movePoints(points);
+    }
+
+    liggghtsWalls& walls()
+    {
+        if (!walls_)
+        {
+            walls_.reset(new liggghtsWalls(mesh(), dictionary(), script_));
+        }
+        return *walls_;
+    }
+
+    labelList sides(const word& patch)
+    {
+        return walls().sides(mesh().boundaryMesh()[patch]);
+    }
+
+    //- LIGGGHTS with a box of those ends; it goes as far as the first step
+    LAMMPS_NS::LAMMPS& start(const boundBox& ends)
+    {
+        liggghts_.reset(new liggghtsInstance(box_.folder()/"log.liggghts"));
+
+        std::ostringstream region;
+        region.precision(17);
+        region << "region tank block";
+        for (direction k = 0; k < 3; ++k)
+        {
+            region << ' ' << ends.min()[k] << ' ' << ends.max()[k];
+        }
+
+        for
+        (
+            const std::string& line : std::initializer_list<std::string>
+            {
+                "units si", "atom_style granular", "atom_modify map array",
+                "newton off", "communicate single vel yes", "boundary f f f",
+                region.str() + " units box", "create_box 1 tank",
+                "neighbor 0.05 bin",
+                "fix y all property/global youngsModulus peratomtype 5e6",
+                "fix p all property/global poissonsRatio peratomtype 0.3",
+                "fix r all property/global coefficientRestitution"
+                " peratomtypepair 1 0.4",
+                "fix f all property/global coefficientFriction"
+                " peratomtypepair 1 0.7",
+                "create_atoms 1 single 0.5 0.5 0.5 units box",
+                "set group all diameter 0.1 density 2650",
+                "pair_style gran model hertz tangential history",
+                "pair_coeff * *", "timestep 1e-5", "fix move all nve/sphere"
+            }
+        )
+        {
+            liggghts_->command(line);
+        }
+
+        walls().makeRoom(*liggghts_);
+        walls().add(*liggghts_);
+        liggghts_->setup();
+        liggghts_->run(1);
+
+        return **liggghts_;
+    }
+};
+
+
+//- What the error says that comes of making triangles of the patch; empty for none
+std::string complaint(const polyPatch& patch)
+{
+    try
+    {
+        scalar angle;
+        wallTriangles::of(patch.name(), wallTriangles::faces(patch), angle);
+    }
+    catch (const Foam::error& e)
+    {
+        return e.message();
+    }
+    return std::string();
+}
+
+} // End anonymous namespace
+
+
+TEST(WallTriangles, splitASquareAsAFanFromItsFirstCorner)
+{
+    const corners square
+    {
+        point(0, 0, 0), point(1, 0, 0), point(1, 1, 0), point(0, 1, 0)
+    };
+    scalar angle;
+    const List<triFace> triangles(wallTriangles::best(square, angle));
+
+    ASSERT_EQ(triangles.size(), 2);
+    EXPECT_EQ(triangles[0], triFace(0, 1, 2));
+    EXPECT_EQ(triangles[1], triFace(0, 2, 3));
+    EXPECT_NEAR(radToDeg(angle), 45, 1e-9);
+}
+
+
+TEST(WallTriangles, hangingNodesMakeNoTriangleWithoutArea)
+{
+    // A fan from the first corner has one without area for each node on the two
+    // sides that meet there
+    const corners all
+    {
+        point(0, 0, 0), point(0.5, 0, 0), point(1, 0, 0), point(1, 0.5, 0),
+        point(1, 1, 0), point(0.5, 1, 0), point(0, 1, 0), point(0, 0.5, 0)
+    };
+    EXPECT_GT(smallestAngle(all, 1), 26);
+
+    for (label node = 1; node < 8; node += 2)
+    {
+        corners one;
+        forAll(all, i)
+        {
+            if (i % 2 == 0 || i == node)
+            {
+                one.append(all[i]);
+            }
+        }
+
+        // Wherever the face begins
+        for (label first = 0; first < one.size(); ++first)
+        {
+            EXPECT_GT(smallestAngle(one, 1), 26) << node << ' ' << first;
+            inplaceRotateList(one, 1);
+        }
+    }
+}
+
+
+TEST(WallTriangles, meetTheNextFaceAtItsHangingNode)
+{
+    const corners face
+    {
+        point(0, 0, 0), point(0.5, 0, 0), point(1, 0, 0), point(1, 1, 0),
+        point(0, 1, 0)
+    };
+    scalar angle;
+    const List<triFace> triangles(wallTriangles::best(face, angle));
+
+    EXPECT_EQ(withEdge(triangles, 0, 1), 1);
+    EXPECT_EQ(withEdge(triangles, 1, 2), 1);
+    EXPECT_EQ(withEdge(triangles, 0, 2), 0);
+}
+
+
+TEST(WallTriangles, fillConcaveFacesWithoutOverlap)
+{
+    // An L, begun at each of its corners, and a deep notch
+    corners L
+    {
+        point(0, 0, 0), point(2, 0, 0), point(2, 1, 0), point(1, 1, 0),
+        point(1, 2, 0), point(0, 2, 0)
+    };
+    for (label first = 0; first < L.size(); ++first)
+    {
+        EXPECT_GT(smallestAngle(L, 3), 20) << first;
+        inplaceRotateList(L, 1);
+    }
+
+    const corners notch
+    {
+        point(0, 0, 0), point(1, 0, 0), point(1, 1, 0), point(0.5, 0.1, 0),
+        point(0, 1, 0)
+    };
+    EXPECT_GT(smallestAngle(notch, 0.55), 5);
+}
+
+
+TEST(WallTriangles, faceTooThinForLIGGGHTSNamesPatchAndPlace)
+{
+    // Sides of 0.25 and 0.125 m wide cells, one layer of which has 0.2 mm
+    testBox shape;
+    shape.cells = labelVector(4, 4, 1);
+    shape.span = vector(1, 1, 2e-4);
+
+    walledBox box(shape);
+    const std::string told(complaint(box.mesh().boundaryMesh()["xMax"]));
+
+    EXPECT_NE(told.find("wall xMax, at (1 "), std::string::npos) << told;
+    EXPECT_NE(told.find("0.04583"), std::string::npos) << told;
+    EXPECT_NE(told.find("LIGGGHTS/walls/patches"), std::string::npos) << told;
+    EXPECT_EQ(complaint(box.mesh().boundaryMesh()["zMax"]), "");
+}
+
+
+TEST(WallTriangles, twoSidesOfAThinPlateAreOneWall)
+{
+    const corners square
+    {
+        point(0, 0, 0), point(1, 0, 0), point(1, 1, 0), point(0, 1, 0)
+    };
+    const corners behind{square[2], square[1], square[0], square[3]};
+    const corners beside
+    {
+        point(1, 0, 0), point(2, 0, 0), point(2, 1, 0), point(1, 1, 0)
+    };
+    std::set<corners, wallTriangles::before> others;
+
+    List<corners> faces{square, beside, behind};
+    EXPECT_EQ(wallTriangles::dropTwins(faces, others), 1);
+    ASSERT_EQ(faces.size(), 2);
+    EXPECT_EQ(faces[1], beside);
+
+    // In another patch, too
+    List<corners> slave{behind};
+    EXPECT_EQ(wallTriangles::dropTwins(slave, others), 1);
+    EXPECT_TRUE(slave.empty());
+}
+
+
+TEST(WallTriangles, platesThatMeetTooManyToOneNamePatchAndPlace)
+{
+    const corners square
+    {
+        point(0, 0, 0), point(1, 0, 0), point(1, 1, 0), point(0, 1, 0)
+    };
+    const List<vector> ways{vector(0, 0, 1), vector(0, 0, -1), vector(5, 7, 0)};
+
+    for (label nWays = 1; nWays <= 3; ++nWays)
+    {
+        // On each side of a square one to three others
+        List<corners> faces{square};
+        for (label i = 0; i < 4; ++i)
+        {
+            for (label way = 0; way < nWays; ++way)
+            {
+                const point& a = square[i];
+                const point& b = square[(i + 1) % 4];
+                faces.append(corners{a, b, b + ways[way], a + ways[way]});
+            }
+        }
+
+        std::string told;
+        try
+        {
+            scalar angle;
+            wallTriangles::of("cross", faces, angle);
+        }
+        catch (const Foam::error& e)
+        {
+            told = e.message();
+        }
+
+        // Two others on two sides and the other half of the square are five
+        EXPECT_EQ(told.empty(), nWays < 3) << nWays << told;
+        EXPECT_EQ(told.find("wall cross") != std::string::npos, nWays == 3);
+    }
+}
+
+
+TEST(GrainWalls, sidesMovedBySnappingStayPlanes)
+{
+    walledBox box;
+    const auto noise = [](const point& p)
+    {
+        return 1e-4*vector(std::sin(70*p.y()), std::sin(90*p.z()), std::sin(80*p.x()));
+    };
+    box.move(noise);
+
+    for (label side = 0; side < 6; ++side)
+    {
+        EXPECT_EQ
+        (
+            box.sides(box.mesh().boundaryMesh()[side].name()),
+            labelList(1, side)
+        );
+    }
+}
+
+
+TEST(GrainWalls, sideThatBulgesIsASurface)
+{
+    walledBox box;
+    box.move([](const point& p)
+    {
+        return vector(p.x() > 0.99 && mag(p.y() - 0.5) < 0.1 ? 0.01 : 0, 0, 0);
+    });
+
+    EXPECT_TRUE(box.sides("xMax").empty());
+    EXPECT_EQ(box.sides("xMin"), labelList(1, label(0)));
+
+    // Wider than the others by the bulge, and still in its side
+    EXPECT_EQ(box.sides("zMin"), labelList(1, label(4)));
+}
+
+
+TEST(GrainWalls, planesCloseNoOpening)
+{
+    // The wall zMin rises to the middle and stays there; beyond, zMax is open and
+    // so no wall is in the way
+    testBox shape;
+    shape.patches[5] = "patch";
+    walledBox box(shape);
+    EXPECT_EQ(box.sides("zMin"), labelList(1, label(4)));
+
+    // An opening that looks down, above the floor
+    shape.patches[1] = "patch";
+    walledBox sloped(shape);
+    sloped.move([](const point& p)
+    {
+        return vector(p.x() > 0.9 ? -0.4*(1 - p.z()) : 0, 0, 0);
+    });
+    EXPECT_TRUE(sloped.sides("zMin").empty());
+    EXPECT_EQ(sloped.sides("xMin"), labelList(1, label(0)));
+}
+
+
+TEST(GrainWalls, boxOfLIGGGHTSHoldsAllSurfaces)
+{
+    walledBox box;
+    box.move([](const point& p)
+    {
+        return vector(p.x() > 0.99 ? 0.02 + 0.01*std::sin(9*p.y()) : 0, 0, 0);
+    });
+
+    // LIGGGHTS would stop at triangles outside of the box that the script gives
+    const LAMMPS_NS::Domain& domain =
+        *box.start(boundBox(point(0, 0, 0), point(1, 1, 1))).domain;
+
+    EXPECT_TRUE(box.walls().surfaces().found("xMax"));
+    EXPECT_GE(domain.boxhi[0], box.mesh().bounds().max().x());
+    EXPECT_EQ(domain.boxlo[0], 0);
+    EXPECT_EQ(domain.boxhi[1], 1);
+}
+
+
+TEST(GrainWalls, LIGGGHTSTakesAllThatPassesTheCheckOfAngles)
+{
+    // Faces 700 times as long as wide; left to itself LIGGGHTS stops at 224 times
+    testBox shape;
+    shape.cells = labelVector(4, 4, 4);
+    shape.span = vector(4, 4, 4./700);
+    walledBox box(shape);
+    box.move([](const point& p)
+    {
+        return vector(p.x() > 2.5 && p.y() > 2.5 ? 0.1 : 0, 0, 0);
+    });
+
+    ASSERT_TRUE(box.sides("xMax").empty());
+    box.start(boundBox(point(0, 0, 0), point(4, 4, 4)));
+    EXPECT_TRUE(box.walls().surfaces().found("xMax"));
+}
+
+
+TEST(ParallelGrainWalls, areThoseOfOneRank)
+{
+    walledBox box;
+    box.move([](const point& p)
+    {
+        return vector(0, 0, p.z() > 0.99 && mag(p.y() - 0.5) < 0.1 ? 0.02 : 0);
+    });
+
+    // The last rank has no face of xMin, the middle ones only of the sides
+    EXPECT_EQ(box.sides("xMin"), labelList(1, label(0)));
+    EXPECT_EQ(box.sides("yMin"), labelList(1, label(2)));
+    EXPECT_TRUE(box.sides("zMax").empty());
+
+    const List<corners> faces
+    (
+        wallTriangles::faces(box.mesh().boundaryMesh()["zMax"])
+    );
+    EXPECT_EQ(faces.size(), Pstream::master() ? 16 : 0);
+}

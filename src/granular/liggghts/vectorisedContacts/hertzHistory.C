@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The contact law "hertz tangential history" for many contacts at once.
+
+#include "hertzHistory.H"
+
+#include <cmath>
+
+namespace
+{
+    using namespace Foam;
+
+    //- Twice the root of 5/6, of the dashpots of a Hertz contact (Antypov &
+    //  Elliott 2011, EPL 94:50004)
+    constexpr double dashpot = 2*0.91287092917527685576161630466800355658790782;
+
+
+    template<rollingFriction rolling>
+    void forces(contactBatch& c, const int n, const double dt)
+    {
+        #pragma GCC ivdep
+        for (int k = 0; k < n; ++k)
+        {
+            const triple d = c.distance(k);
+            const double ri = c.radiusI[k];
+            const double rj = c.radiusJ[k];
+            const double mi = c.massI[k];
+            const double mj = c.massJ[k];
+            const triple spinI = c.spinI(k);
+            const triple spinJ = c.spinJ(k);
+
+            const double r = std::sqrt(c.distanceSquared[k]);
+            const double rinv = 1/r;
+            const triple normal = d*rinv;
+            const double overlap = (ri + rj) - r;
+            const double armI = ri - 0.5*overlap;
+            const double armJ = rj - 0.5*overlap;
+
+            // Velocity of the surfaces past each other
+            const triple U = c.velocity(k);
+            const double Un = dot(U, normal);
+            const triple slip =
+                U - normal*Un - cross((spinI*armI + spinJ*armJ)*rinv, d);
+
+            const double mass = mi*mj/(mi + mj);
+            const double radius = ri*rj/(ri + rj);
+            const double a = std::sqrt(radius*overlap);
+            const double Sn = 2*c.young[k]*a;
+            const double kt = 8*c.shear[k]*a;
+            const double kn = 4./3*c.young[k]*a;
+            const double damping = -dashpot*c.damping[k];
+            const double gn = damping*std::sqrt(Sn*mass);
+            const double gt = damping*std::sqrt(kt*mass);
+
+            const double Fn = -gn*Un + kn*overlap;
+
+            triple stretch = c.stretch(k) + slip*dt;
+            stretch = stretch - normal*dot(stretch, normal);
+
+            const double spring = kt*std::sqrt(dot(stretch, stretch));
+            const double most = c.friction[k]*std::fabs(Fn);
+            const bool slides = spring > most;
+            const triple held = stretch*(-kt);
+            const triple slid = held*(most/(slides ? spring : 1));
+            const triple stuck = held - slip*gt;
+            const double unit = slides ? kt : 1;
+
+            const triple Ft
+            {
+                slides ? slid.x : stuck.x,
+                slides ? slid.y : stuck.y,
+                slides ? slid.z : stuck.z
+            };
+
+            c.stretch.set
+            (
+                k,
+                {
+                    slides ? -slid.x/unit : stretch.x,
+                    slides ? -slid.y/unit : stretch.y,
+                    slides ? -slid.z/unit : stretch.z
+                }
+            );
+
+            triple roll{0, 0, 0};
+            const triple spin = spinI - spinJ;
+
+            if constexpr (rolling == rollingFriction::epsd2)
+            {
+                const double stiffness = kt*radius*radius;
+                roll =
+                    c.springTorque(k)
+                  + (spin - normal*dot(spin, normal))*(dt*stiffness);
+
+                const double magnitude = std::sqrt(dot(roll, roll));
+                const double limit =
+                    std::fabs(Fn)*radius*c.rollingFriction[k];
+                const bool yields = magnitude > limit;
+                const double part = limit/(yields ? magnitude : 1);
+
+                roll.x = yields ? roll.x*part : roll.x;
+                roll.y = yields ? roll.y*part : roll.y;
+                roll.z = yields ? roll.z*part : roll.z;
+
+                c.springTorque.set(k, roll);
+            }
+            else if constexpr (rolling == rollingFriction::cdt)
+            {
+                const double magnitude = std::sqrt(dot(spin, spin));
+                const double limit =
+                    c.rollingFriction[k]*kn*overlap*radius;
+
+                roll = spin*(limit/(magnitude > 0 ? magnitude : 1));
+                roll = roll - normal*dot(roll, normal);
+            }
+
+            const triple turn = cross(normal, Ft);
+            c.force.set(k, normal*Fn + Ft);
+            c.torqueI.set(k, turn*(-armI) - roll);
+            c.torqueJ.set(k, turn*(-armJ) + roll);
+        }
+    }
+}
+
+
+void Foam::hertzHistory
+(
+    contactBatch& contacts,
+    const int n,
+    const double dt,
+    const rollingFriction rolling
+)
+{
+    switch (rolling)
+    {
+        case rollingFriction::off:
+            return forces<rollingFriction::off>(contacts, n, dt);
+
+        case rollingFriction::cdt:
+            return forces<rollingFriction::cdt>(contacts, n, dt);
+
+        case rollingFriction::epsd2:
+            return forces<rollingFriction::epsd2>(contacts, n, dt);
+    }
+}
