@@ -21,15 +21,16 @@ Foam::interphaseForces::interphaseForces
     const grainExchange& exchange,
     const porosity& porosity,
     const dictionary& dict,
-    const vector& g,
+    const hydrostatics& rest,
     const scalar coarseGraining
 )
 :
     exchange_(exchange),
     porosity_(porosity),
-    g_(g),
+    rest_(rest),
     coarseGraining_(coarseGraining),
     laws_(exchange.mesh(), dict),
+    division_(exchange.mesh()),
     dragCoefficient_(exchange.mesh().nCells(), Zero),
     virtualMassCoefficient_(exchange.mesh().nCells(), Zero),
     pressureShare_(exchange.mesh().nCells(), Zero),
@@ -67,6 +68,12 @@ void Foam::interphaseForces::setTorque
 
 void Foam::interphaseForces::findMeanVelocity()
 {
+    // One grain for one has its own
+    if (coarseGraining_ == 1)
+    {
+        return;
+    }
+
     const List<locatedGrain>& grains = exchange_.grains();
     scalarField mass(grains.size());
     meanVelocity_.setSize(grains.size());
@@ -77,124 +84,138 @@ void Foam::interphaseForces::findMeanVelocity()
         meanVelocity_[i] = grains[i].velocity;
     }
 
-    // One grain for one has its own
-    if (coarseGraining_ > 1)
-    {
-        meanVelocity_ =
-            porosity_.gather(porosity_.spread(vectorField(mass*meanVelocity_)))
-           /porosity_.gather(porosity_.spread(mass));
-    }
+    meanVelocity_ =
+        porosity_.gather(porosity_.spread(vectorField(mass*meanVelocity_)))
+       /porosity_.gather(porosity_.spread(mass));
 }
 
 
-Foam::Field<Foam::fluidAtGrain> Foam::interphaseForces::around
-(
-    const vectorField& U,
-    const vectorField& acceleration,
-    const vectorField& pressureGradient,
-    const vectorField& viscousForce
-) const
-{
-    Field<fluidAtGrain> cells(U.size(), fluidAtGrain(Zero));
-
-    const auto set = [&](const fluidAtGrain::numbers at, const vectorField& v)
-    {
-        fluidAtGrain::set(cells, at, porosity_.smoothed(v));
-    };
-
-    set(fluidAtGrain::momentum, rho_*U);
-
-    if (pressureGradient.size())
-    {
-        set(fluidAtGrain::pressureGradient, pressureGradient);
-    }
-
-    if (laws_.carriesFluid())
-    {
-        set(fluidAtGrain::acceleration, rho_*acceleration);
-    }
-
-    if (laws_.viscousForce > 0)
-    {
-        set(fluidAtGrain::viscousForce, viscousForce);
-    }
-
-    return cells;
-}
-
-
-Foam::Field<Foam::fluidAtGrain> Foam::interphaseForces::gather
+Foam::Field<Foam::fluidAtGrain> Foam::interphaseForces::fluidAround
 (
     const fluidFields& fluid
 ) const
 {
-    Field<fluidAtGrain> cells
-    (
-        around
-        (
-            fluid.U,
-            fluid.convection,
-            vectorField(),
-            fluid.viscousForce
-        )
-    );
+    Field<fluidAtGrain> cells(rho_.size());
 
-    const vectorField vorticity
+    // Of the fluid around, for what is exchanged
+    fluidAtGrain::set(cells, fluidAtGrain::rhoAround, rhoSmoothed_);
+    fluidAtGrain::set
     (
+        cells,
+        fluidAtGrain::momentum,
+        porosity_.smoothed(vectorField(rho_*fluid.U))
+    );
+    fluidAtGrain::set
+    (
+        cells,
+        fluidAtGrain::vorticity,
         porosity_.smoothed(vectorField(rho_*fluid.vorticity))
     );
-    const scalarField rhoAround(porosity_.smoothed(rho_));
 
-    forAll(cells, cell)
-    {
-        // Of the fluid around, for what is exchanged
-        cells[cell].set(fluidAtGrain::rhoAround, rhoAround[cell]);
-        cells[cell].set(fluidAtGrain::vorticity, vorticity[cell]);
+    // Of the fluid at hand, for the laws
+    fluidAtGrain::set(cells, fluidAtGrain::rho, fluid.rho);
+    fluidAtGrain::set(cells, fluidAtGrain::mu, fluid.mu);
+    fluidAtGrain::set(cells, fluidAtGrain::voidFraction, fluid.voidFraction);
 
-        // Of the fluid at hand, for the laws
-        cells[cell].set(fluidAtGrain::rho, fluid.rho[cell]);
-        cells[cell].set(fluidAtGrain::mu, fluid.mu[cell]);
-        cells[cell].set(fluidAtGrain::voidFraction, fluid.voidFraction[cell]);
-    }
-
-    return porosity_.local(cells);
+    return porosity_.weights().reached(std::move(cells));
 }
 
 
-Foam::vector Foam::interphaseForces::felt
+Foam::Field<Foam::meanAtGrain> Foam::interphaseForces::meansAround
 (
-    const vector& gradient,
-    const scalar rhoAround
+    const fluidMeans& means
 ) const
 {
-    const vector atRest(rhoAround*g_);
+    Field<meanAtGrain> cells(rho_.size());
 
-    return
-        laws_.excessPressure < 1
-      ? atRest + laws_.excessPressure*(gradient - atRest)
-      : gradient;
+    meanAtGrain::set
+    (
+        cells,
+        meanAtGrain::rhoAround,
+        porosity_.smoothed(means.rho)
+    );
+    meanAtGrain::set
+    (
+        cells,
+        meanAtGrain::momentum,
+        porosity_.smoothed(vectorField(rho_*means.U))
+    );
+    meanAtGrain::set
+    (
+        cells,
+        meanAtGrain::pressureGradient,
+        porosity_.smoothed(means.pressureGradient)
+    );
+
+    return porosity_.weights().reached(std::move(cells));
 }
 
 
-Foam::vector Foam::interphaseForces::freeLoad
+Foam::Field<Foam::flowAtGrain> Foam::interphaseForces::flowAround
+(
+    const vectorField& acceleration,
+    const vectorField& viscousForce
+) const
+{
+    const bool carries = laws_.carriesFluid();
+    const bool shears = laws_.viscousForce > 0;
+
+    if (!carries && !shears)
+    {
+        return Field<flowAtGrain>();
+    }
+
+    Field<flowAtGrain> cells(rho_.size(), flowAtGrain(Zero));
+
+    if (carries)
+    {
+        flowAtGrain::set
+        (
+            cells,
+            flowAtGrain::acceleration,
+            porosity_.smoothed(vectorField(rho_*acceleration))
+        );
+    }
+    if (shears)
+    {
+        flowAtGrain::set
+        (
+            cells,
+            flowAtGrain::viscousForce,
+            porosity_.smoothed(viscousForce)
+        );
+    }
+
+    return porosity_.weights().reached(std::move(cells));
+}
+
+
+inline Foam::flowAtGrain Foam::interphaseForces::flowAt
+(
+    const UList<flowAtGrain>& around,
+    const label i
+) const
+{
+    return
+        around.size() ? porosity_.weights().mean(around, i) : flowAtGrain(Zero);
+}
+
+
+inline Foam::vector Foam::interphaseForces::freeLoad
 (
     const locatedGrain& grain,
-    const fluidAtGrain& fluid,
+    const scalar rhoAround,
+    const vector& viscousForce,
     const scalar volume,
     const vector& lift
 ) const
 {
-    const vector weight(grain.mass*g_);
+    const vector weight(grain.mass*rest_.g());
     const vector buoyancy
     (
-       -laws_.pressureGradient*volume
-       *fluid.number(fluidAtGrain::rhoAround)*g_
+       -laws_.pressureGradient*volume*rest_.gradient(rhoAround)
     );
-    const vector viscous
-    (
-        laws_.viscousForce*volume
-       *fluid.vectorOf(fluidAtGrain::viscousForce)
-    );
+    const vector viscous(laws_.viscousForce*volume*viscousForce);
     const vector load(weight + grain.fluidForce);
 
     return
@@ -203,34 +224,32 @@ Foam::vector Foam::interphaseForces::freeLoad
 }
 
 
-void Foam::interphaseForces::setForce
+inline const Foam::vector& Foam::interphaseForces::meanVelocity
+(
+    const label i
+) const
+{
+    return
+        meanVelocity_.size()
+      ? meanVelocity_[i] : exchange_.grains()[i].velocity;
+}
+
+
+inline Foam::grainState Foam::interphaseForces::stateOf
 (
     const label i,
     const fluidAtGrain& fluid,
-    const scalar dSauter,
-    const scalar interval
-)
+    const scalar dSauter
+) const
 {
     const locatedGrain& grain = exchange_.grains()[i];
-    const scalar volume = porosity_.volumes()[i];
-    const scalar N3 = pow3(coarseGraining_);
+    const scalar perRho = 1/fluid.number(fluidAtGrain::rhoAround);
+    const vector vorticity(perRho*fluid.vectorOf(fluidAtGrain::vorticity));
 
-    rhoAround_[i] = fluid.number(fluidAtGrain::rhoAround);
-
-    const vector U(fluid.vectorOf(fluidAtGrain::momentum)/rhoAround_[i]);
-    const vector vorticity
-    (
-        fluid.vectorOf(fluidAtGrain::vorticity)/rhoAround_[i]
-    );
-    const vector convection
-    (
-        fluid.vectorOf(fluidAtGrain::acceleration)/rhoAround_[i]
-    );
-
-    const grainState state
+    return grainState
     {
         2*grain.radius/coarseGraining_,
-        U - meanVelocity_[i],
+        perRho*fluid.vectorOf(fluidAtGrain::momentum) - meanVelocity(i),
         0.5*vorticity - grain.angularVelocity,
         vorticity,
         fluid.number(fluidAtGrain::rho),
@@ -241,44 +260,84 @@ void Foam::interphaseForces::setForce
         fluid.number(fluidAtGrain::voidFraction),
         dSauter/coarseGraining_
     };
+}
 
-    const scalar K = N3*laws_.drag->K(state);
-    const scalar C =
-        laws_.virtualMass->coefficient(state)*state.rho*volume
-      + N3*laws_.history.mass(state);
-    const vector lift
+
+inline void Foam::interphaseForces::setForce
+(
+    const label i,
+    const grainState& state,
+    const scalar rhoAround,
+    const flowAtGrain& flow,
+    const scalar K1,
+    const vector& lift1,
+    const scalar interval
+)
+{
+    const locatedGrain& grain = exchange_.grains()[i];
+    const scalar volume = porosity_.volumes()[i];
+    const scalar N3 = pow3(coarseGraining_);
+    const scalar perRho = 1/rhoAround;
+    const vector U(state.slip + meanVelocity(i));
+    const vector convection(perRho*flow.vectorOf(flowAtGrain::acceleration));
+
+    const scalar K = N3*K1;
+    scalar C = laws_.virtualMass->coefficient(state)*state.rho*volume;
+    vector lift(lift1);
+    if (laws_.history.active())
+    {
+        C += N3*laws_.history.mass(state);
+        lift += laws_.history.force(grain.id, state);
+    }
+    lift *= N3;
+
+    vector load
     (
-        N3*(laws_.lift->force(state) + laws_.history.force(grain.id, state))
+        freeLoad
+        (
+            grain,
+            rhoAround,
+            flow.vectorOf(flowAtGrain::viscousForce),
+            volume,
+            lift
+        )
     );
-    vector load(freeLoad(grain, fluid, volume, lift));
 
     // A grain that nothing moves has no velocity to eliminate
     const scalar m = grain.mobile ? grain.mass : GREAT;
     const scalar M = grain.mobile ? m/(m + C + K*interval) : 1;
 
-    wallForce_[i] = laws_.lubrication.force
-    (
-        grain.position,
-        grain.radius,
-        state.mu,
-        (m + C)*grain.velocity + interval*(load + K*U + C*convection),
-        m + C + K*interval,
-        interval
-    );
-    load += wallForce_[i];
+    if (wallForce_.size())
+    {
+        wallForce_[i] = laws_.lubrication.force
+        (
+            grain.position,
+            grain.radius,
+            state.mu,
+            (m + C)*grain.velocity + interval*(load + K*U + C*convection),
+            m + C + K*interval,
+            interval
+        );
+        load += wallForce_[i];
+    }
 
-    // Shear moves computed grains past each other N times as fast as real ones
-    const scalar K1 = K/sqr(coarseGraining_);
-    const scalar drag1 = m/(m + K1*interval)*K1;
+    const scalar drag = M*K;
+    const scalar virtualMass = M*C;
 
-    drag0_[i] = M*K;
-    virtualMass0_[i] = M*C;
+    drag0_[i] = perRho*drag;
+    virtualMass0_[i] = perRho*virtualMass;
     pressure0_[i] =
         (1 - M)*laws_.excessPressure*laws_.pressureGradient*volume;
     explicit_[i] =
-        lift + virtualMass0_[i]*convection - drag0_[i]*meanVelocity_[i]
-      + drag1*(meanVelocity_[i] - grain.velocity)
-      + (M - 1)*load;
+        lift + virtualMass*convection - drag*meanVelocity(i) + (M - 1)*load;
+
+    // Shear moves computed grains past each other N times as fast as real ones
+    if (meanVelocity_.size())
+    {
+        const scalar own = K/sqr(coarseGraining_);
+        explicit_[i] +=
+            m/(m + own*interval)*own*(meanVelocity_[i] - grain.velocity);
+    }
 
     setTorque(i, state, interval);
 }
@@ -293,41 +352,105 @@ void Foam::interphaseForces::prepare
     const label n = exchange_.grains().size();
 
     rho_ = fluid.rho;
-    rhoAround_.setSize(n);
+    rhoSmoothed_ = porosity_.smoothed(rho_);
     drag0_.setSize(n);
     virtualMass0_.setSize(n);
     pressure0_.setSize(n);
     explicit_.setSize(n);
-    wallForce_.setSize(n);
+    wallForce_.setSize(laws_.lubrication.strength() > 0 ? n : 0);
     torque_.setSize(n);
     findMeanVelocity();
     laws_.history.begin(exchange_.grains(), interval);
 
-    const Field<fluidAtGrain> atGrains(gather(fluid));
     const scalarField dSauter
     (
         laws_.drag->usesSauterDiameter()
       ? porosity_.sauterDiameter()
-      : scalarField(n, 1)
+      : scalarField()
     );
+    const Field<fluidAtGrain> around(fluidAround(fluid));
+    const Field<flowAtGrain> flow
+    (
+        flowAround(fluid.convection, fluid.viscousForce)
+    );
+    const cellWeights& weights = porosity_.weights();
+    Field<givenByGrain> given(weights.noSums<givenByGrain>());
 
-    for (label i = 0; i < n; ++i)
+    // What a block of grains is asked for stays in the nearest cache
+    List<grainState> states(blockOfGrains);
+    scalarField rhoAround(blockOfGrains);
+    scalarField K(blockOfGrains);
+    vectorField lift(blockOfGrains);
+
+    for (label first = 0; first < n; first += blockOfGrains)
     {
-        setForce(i, atGrains[i], dSauter[i], interval);
+        states.setSize(min(n - first, blockOfGrains));
+
+        forAll(states, k)
+        {
+            const label i = first + k;
+            const fluidAtGrain fluidHere(weights.mean(around, i));
+
+            rhoAround[k] = fluidHere.number(fluidAtGrain::rhoAround);
+            states[k] =
+                stateOf(i, fluidHere, dSauter.size() ? dSauter[i] : 1);
+        }
+
+        laws_.drag->K(states, K);
+        laws_.lift->force(states, lift);
+
+        forAll(states, k)
+        {
+            const label i = first + k;
+
+            setForce
+            (
+                i,
+                states[k],
+                rhoAround[k],
+                flowAt(flow, i),
+                K[k],
+                lift[k],
+                interval
+            );
+            weights.add
+            (
+                given,
+                i,
+                givenByGrain
+                (
+                    drag0_[i],
+                    virtualMass0_[i],
+                    pressure0_[i],
+                    explicit_[i]/rhoAround[k]
+                )
+            );
+        }
     }
 
-    spreadToCells();
+    weights.bringHome(given);
+    setCells(std::move(given));
 }
 
 
-void Foam::interphaseForces::spreadToCells()
+void Foam::interphaseForces::setCells(Field<givenByGrain>&& sums)
 {
-    dragCoefficient_ = rho_*porosity_.spread(scalarField(drag0_/rhoAround_));
-    virtualMassCoefficient_ =
-        rho_*porosity_.spread(scalarField(virtualMass0_/rhoAround_));
-    explicitForce_ =
-        rho_*porosity_.spread(vectorField(explicit_/rhoAround_));
-    pressureShare_ = porosity_.spread(pressure0_);
+    dragCoefficient_ = rho_*porosity_.perVolume
+    (
+        givenByGrain::numbers(sums, givenByGrain::drag)
+    );
+    virtualMassCoefficient_ = rho_*porosity_.perVolume
+    (
+        givenByGrain::numbers(sums, givenByGrain::virtualMass)
+    );
+    explicitForce_ = rho_*porosity_.perVolume
+    (
+        givenByGrain::vectors(sums, givenByGrain::explicitForce)
+    );
+    pressureShare_ = porosity_.perVolume
+    (
+        givenByGrain::numbers(sums, givenByGrain::pressureShare)
+    );
 }
 
 
@@ -349,47 +472,54 @@ void Foam::interphaseForces::start(const vectorField& pressureGradient)
 
 void Foam::interphaseForces::finish(const fluidMeans& means)
 {
-    const Field<fluidAtGrain> atGrains
+    const Field<meanAtGrain> around(meansAround(means));
+    const Field<flowAtGrain> flow
     (
-        porosity_.local
-        (
-            around
-            (
-                means.U,
-                means.acceleration,
-                means.pressureGradient,
-                means.viscousForce
-            )
-        )
+        flowAround(means.acceleration, means.viscousForce)
     );
-    const label n = atGrains.size();
+    const cellWeights& weights = porosity_.weights();
+    const scalarField& volumes = porosity_.volumes();
+    const label n = exchange_.grains().size();
 
     force_.setSize(n);
 
     for (label i = 0; i < n; ++i)
     {
-        const fluidAtGrain& fluid = atGrains[i];
-        const vector gradient(fluid.vectorOf(fluidAtGrain::pressureGradient));
+        const meanAtGrain fluid(weights.mean(around, i));
+        const vector atRest
+        (
+            rest_.gradient(fluid.number(meanAtGrain::rhoAround))
+        );
+        const vector excess
+        (
+            fluid.vectorOf(meanAtGrain::pressureGradient) - atRest
+        );
 
         force_[i] =
-            (
-                drag0_[i]*fluid.vectorOf(fluidAtGrain::momentum)
-              + virtualMass0_[i]*fluid.vectorOf(fluidAtGrain::acceleration)
-            )/rhoAround_[i]
-          + pressure0_[i]*(gradient - rhoAround_[i]*g_)
+            drag0_[i]*fluid.vectorOf(meanAtGrain::momentum)
+          + pressure0_[i]*excess
           + explicit_[i]
-          + porosity_.volumes()[i]
-           *(
-                laws_.viscousForce
-               *fluid.vectorOf(fluidAtGrain::viscousForce)
-              - laws_.pressureGradient*felt(gradient, rhoAround_[i])
-            );
+          - laws_.pressureGradient*volumes[i]
+           *(atRest + laws_.excessPressure*excess);
+
+        if (flow.size())
+        {
+            const flowAtGrain here(weights.mean(flow, i));
+
+            force_[i] +=
+                virtualMass0_[i]*here.vectorOf(flowAtGrain::acceleration)
+              + laws_.viscousForce*volumes[i]
+               *here.vectorOf(flowAtGrain::viscousForce);
+        }
     }
 
     sumUp(means);
 
     // Walls give this one, through the fluid between
-    force_ += wallForce_;
+    if (wallForce_.size())
+    {
+        force_ += wallForce_;
+    }
 }
 
 
@@ -397,7 +527,7 @@ void Foam::interphaseForces::sumUp(const fluidMeans& means)
 {
     const scalarField& volume = exchange_.mesh().V();
     const scalarField& solid = porosity_.solidFraction();
-    vector taken(Zero);
+    vector taken(-means.fromPressure);
 
     forAll(volume, cell)
     {
@@ -406,9 +536,7 @@ void Foam::interphaseForces::sumUp(const fluidMeans& means)
             dragCoefficient_[cell]*means.U[cell]
           + virtualMassCoefficient_[cell]*means.acceleration[cell]
           + explicitForce_[cell]
-          + pressureShare_[cell]
-           *(means.pressureGradient[cell] - rho_[cell]*g_)
-          - solid[cell]*felt(means.pressureGradient[cell], rho_[cell])
+          - solid[cell]*rest_.gradient(means.rho[cell])
         );
 
         if (laws_.viscousForce > 0)

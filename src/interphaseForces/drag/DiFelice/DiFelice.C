@@ -7,6 +7,8 @@
 #include "closure.H"
 #include "standardDrag.H"
 
+#include <Eigen/Core>
+
 namespace Foam
 {
     defineTypeNameAndDebug(DiFelice, 0);
@@ -39,15 +41,51 @@ Foam::DiFelice::DiFelice(const dictionary& dict)
 
 Foam::scalar Foam::DiFelice::K(const grainState& state) const
 {
-    const scalar e = state.voidFraction;
-    const scalar slipRe = slipReynolds(state);
-    const scalar Re = formulation_ == formulations::modelA ? e*slipRe : slipRe;
+    scalar result;
+    UList<scalar> one(&result, 1);
+    K(UList<grainState>(const_cast<grainState*>(&state), 1), one);
 
-    // One logarithm serves both powers of Re
-    const scalar logRe = finiteLog(Re);
-    const scalar distance = 1.5 - logRe/M_LN10;
-    const scalar chi = 3.7 - 0.65*std::exp(-0.5*distance*distance);
+    return result;
+}
 
-    return
-        stokes(state)*overStokes(Re, logRe)*std::exp((1 - chi)*std::log(e));
+
+void Foam::DiFelice::K
+(
+    const UList<grainState>& states,
+    UList<scalar>& K
+) const
+{
+    using numbers = Eigen::Array<scalar, Eigen::Dynamic, 1, 0, blockOfGrains, 1>;
+
+    for (label first = 0; first < states.size(); first += blockOfGrains)
+    {
+        const label n = min(states.size() - first, blockOfGrains);
+        numbers e(n), Re(n), single(n);
+
+        for (label i = 0; i < n; ++i)
+        {
+            const grainState& state = states[first + i];
+            const scalar slipRe = slipReynolds(state);
+
+            e[i] = state.voidFraction;
+            Re[i] =
+                formulation_ == formulations::modelA ? e[i]*slipRe : slipRe;
+            single[i] = stokes(state);
+        }
+
+        // One logarithm serves both powers of Re, finite at rest
+        const numbers logRe(Re.max(1e-30).log());
+        const numbers chi
+        (
+            3.7 - 0.65*(-0.5*(1.5 - logRe/M_LN10).square()).exp()
+        );
+        const numbers drag((Re > 1000).select
+        (
+            single*(0.44/24)*Re,
+            single*(1 + 0.15*(0.687*logRe).exp())
+        ));
+
+        Eigen::Map<Eigen::ArrayXd>(&K[first], n) =
+            drag*((1 - chi)*e.log()).exp();
+    }
 }

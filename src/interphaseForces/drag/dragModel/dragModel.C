@@ -63,6 +63,19 @@ Foam::autoPtr<Foam::dragModel> Foam::dragModel::NewLaw(const dictionary& dict)
 }
 
 
+void Foam::dragModel::K
+(
+    const UList<grainState>& states,
+    UList<scalar>& K
+) const
+{
+    forAll(states, i)
+    {
+        K[i] = this->K(states[i]);
+    }
+}
+
+
 Foam::autoPtr<Foam::dragModel> Foam::dragModel::New(const dictionary& dict)
 {
     return correctedDrag::New(NewLaw(dict), dict);

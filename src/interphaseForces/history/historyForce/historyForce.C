@@ -8,6 +8,7 @@
 #include "OSspecific.H"
 #include "Pstream.H"
 #include "closure.H"
+#include "foamCompatibility.H"
 #include "mathematicalConstants.H"
 
 #include <cmath>
@@ -175,7 +176,7 @@ void Foam::historyForce::read(const fileName& folder)
             }
         }
     }
-    Pstream::scatter(readInterval_);
+    compatibility::broadcast(readInterval_);
     if (!returnReduce(there, andOp<bool>()))
     {
         Info<< "History force: no past of this window is in " << folder

@@ -6,6 +6,8 @@
 #include "closure.H"
 #include "mathematicalConstants.H"
 
+#include <Eigen/Core>
+
 namespace Foam
 {
     defineTypeNameAndDebug(LunLiu, 0);
@@ -21,14 +23,45 @@ Foam::LunLiu::LunLiu(const dictionary& dict)
 
 Foam::vector Foam::LunLiu::force(const grainState& state) const
 {
-    const scalar d = state.d;
-    const scalar Re = state.rho*d*mag(state.slip)/state.mu;
+    vector result;
+    UList<vector> one(&result, 1);
+    force(UList<grainState>(const_cast<grainState*>(&state), 1), one);
 
-    // 1 at Re 1, so that the branches meet
-    const scalar f =
-        0.178 + 0.822*std::pow(min(max(Re, scalar(1)), scalar(1000)), -0.522);
+    return result;
+}
 
-    return
-        constant::mathematical::pi/8*state.rho*d*d*d*f
-       *(state.relativeSpin ^ state.slip);
+
+void Foam::LunLiu::force
+(
+    const UList<grainState>& states,
+    UList<vector>& forces
+) const
+{
+    using numbers = Eigen::Array<scalar, Eigen::Dynamic, 1, 0, blockOfGrains, 1>;
+
+    for (label first = 0; first < states.size(); first += blockOfGrains)
+    {
+        const label n = min(states.size() - first, blockOfGrains);
+        numbers Re(n);
+
+        for (label i = 0; i < n; ++i)
+        {
+            const grainState& state = states[first + i];
+            Re[i] = state.rho*state.d*mag(state.slip)/state.mu;
+        }
+
+        // 1 at Re 1, so that the branches meet
+        const numbers f
+        (
+            0.178 + 0.822*(-0.522*Re.max(1).min(1000).log()).exp()
+        );
+
+        for (label i = 0; i < n; ++i)
+        {
+            const grainState& state = states[first + i];
+            forces[first + i] =
+                constant::mathematical::pi/8*state.rho*pow3(state.d)*f[i]
+               *(state.relativeSpin ^ state.slip);
+        }
+    }
 }

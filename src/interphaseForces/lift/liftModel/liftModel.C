@@ -18,3 +18,16 @@ Foam::liftModel::New(const dictionary& dict)
 {
     return closure::selectScaled<liftModel, scaledLift, noLift>(dict);
 }
+
+
+void Foam::liftModel::force
+(
+    const UList<grainState>& states,
+    UList<vector>& forces
+) const
+{
+    forAll(states, i)
+    {
+        forces[i] = force(states[i]);
+    }
+}

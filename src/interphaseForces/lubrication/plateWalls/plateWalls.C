@@ -6,6 +6,7 @@
 #include "ListListOps.H"
 #include "Pstream.H"
 #include "SubField.H"
+#include "foamCompatibility.H"
 #include "wallPolyPatch.H"
 
 void Foam::plateWalls::add(const plate& face, const scalar tolerance)
@@ -76,13 +77,13 @@ Foam::plateWalls::plateWalls(const polyMesh& mesh, const wordRes& patches)
         highest[me].append(p.bounds.max());
     }
     Pstream::gatherList(normals);
-    Pstream::scatterList(normals);
+    compatibility::broadcast(normals);
     Pstream::gatherList(offsets);
-    Pstream::scatterList(offsets);
+    compatibility::broadcast(offsets);
     Pstream::gatherList(lowest);
-    Pstream::scatterList(lowest);
+    compatibility::broadcast(lowest);
     Pstream::gatherList(highest);
-    Pstream::scatterList(highest);
+    compatibility::broadcast(highest);
 
     plates_.clear();
     forAll(normals, rank)
