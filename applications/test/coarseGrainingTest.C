@@ -55,13 +55,19 @@ whole inOneCell
     forces.prepare(fluid, interval);
     forces.finish
     (
-        fluidMeans
-        {
-            fluid.U,
-            vectorField(mesh.nCells(), vector(0, 2, 1)),
-            vectorField(mesh.nCells(), vector(100, 0, -9810)),
-            fluid.viscousForce
-        }
+        inEquation
+        (
+            fluidMeans
+            {
+                fluid.U,
+                vectorField(mesh.nCells(), vector(0, 2, 1)),
+                vectorField(mesh.nCells(), vector(100, 0, -9810)),
+                fluid.viscousForce,
+                scalarField(),
+                Zero
+            },
+            fluid.rho, forces, pores, mesh, g
+        )
     );
 
     const label cell = exchange.grains()[0].cell;
@@ -180,7 +186,7 @@ TEST(coarseGraining, parcelsThatPassEachOtherFeelDragOverNSquared)
             exchange,
             pores,
             entries("drag { model SchillerNaumann; }"),
-            Zero,
+            vector(Zero),
             N
         );
         const vectorField rest(mesh.nCells(), Zero);
@@ -188,7 +194,7 @@ TEST(coarseGraining, parcelsThatPassEachOtherFeelDragOverNSquared)
         fluid.U = rest;
         fluid.convection = rest;
         forces.prepare(fluid, interval);
-        forces.finish(fluidMeans{rest, rest, rest, rest});
+        forces.finish(fluidMeans{rest, rest, rest, rest, fluid.rho, Zero});
 
         // Stokes: the mean slip is none. Of the N^3 grains' drag 1/N^2, with
         // the velocity at the end of the interval; one grain has all of its own
@@ -225,13 +231,13 @@ TEST(obstacle, aHeldGrainGetsAllOfTheDragBesideOneThatMoves)
 
     interphaseForces forces
     (
-        exchange, pores, entries("drag { model SchillerNaumann; }"), Zero, 1
+        exchange, pores, entries("drag { model SchillerNaumann; }"), vector(Zero), 1
     );
     const vectorField none(mesh.nCells(), Zero);
     fluidFields fluid(water(mesh.nCells()));
     fluid.convection = none;
     forces.prepare(fluid, interval);
-    forces.finish(fluidMeans{fluid.U, none, none, none});
+    forces.finish(fluidMeans{fluid.U, none, none, none, fluid.rho, Zero});
 
     const scalar slip = mag(fluid.U[0]);
     const scalar K =

@@ -27,7 +27,7 @@ constexpr scalar diameter = 0.02;
 std::string initially(const std::string& grains)
 {
     return
-        "units si\natom_style granular\natom_modify map array\nnewton off\n"
+        "units si\natom_style granular\nnewton off\n"
         "communicate single vel yes\n"
         "region box block 0 1 0 1 0 0.2 units box\ncreate_box 1 box\n"
       + grains

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bringing grains to the ranks of their cells, and results back.
 
+#include "foamCompatibility.H"
 #include "grainExchange.H"
+#include "otherMeshes.H"
 #include "scatteredGrains.H"
 #include "testNumber.H"
 
@@ -85,7 +87,134 @@ void expectThereAndBack(testMesh& test)
     EXPECT_EQ(back, phase.grains.U);
 }
 
+//- Each of the places is on one rank, and in its cell or as near to it as the
+//  faces are warped
+void expectEachOnce(testMesh& test, const pointField& places)
+{
+    standingGrains phase(test.mesh());
+    place(phase, places, 0.01);
+    grainExchange exchange(test.mesh());
+    exchange.locate(phase);
+
+    EXPECT_EQ(exchange.nOutside(), 0);
+    EXPECT_EQ
+    (
+        returnReduce(exchange.grains().size(), sumOp<label>()),
+        places.size()
+    );
+
+    scalar furthest = 0;
+    labelList found(places.size(), Zero);
+
+    for (const locatedGrain& grain : exchange.grains())
+    {
+        ++found[grain.id];
+        if (!exchange.overlap().inside(grain.position, grain.cell))
+        {
+            furthest = max
+            (
+                furthest,
+                exchange.walker().outside(grain.position, grain.cell)
+              - exchange.walker().warp(grain.cell)
+            );
+        }
+    }
+    Pstream::listCombineGather(found, plusEqOp<label>());
+    compatibility::broadcast(found);
+
+    testNumber
+    (
+        "furthest from its cell, beyond the warp [m]",
+        returnReduce(furthest, maxOp<scalar>())
+    );
+    EXPECT_LT(furthest, 1e-8);
+    EXPECT_EQ(min(found), 1);
+    EXPECT_EQ(max(found), 1);
+}
+
+
+//- Points of concave cells that the planes of their faces do not cover
+void expectSliversFound()
+{
+    testMesh test(box());
+    refineBeyond(test.mesh(), 0.5);
+    movePoints
+    (
+        test.mesh(),
+        [](const point& p) { return crumpled(p, 0.012); }
+    );
+    expectEachOnce(test, randomPoints(20000));
+}
+
+
+//- A mesh that reaches into a bin with the tip of one cell alone: places in the
+//  tips of all cells, where each rank's cells end in slopes
+void expectTipsFound()
+{
+    testBox b(box());
+    b.cells = labelVector(8, 4, 4);
+    testMesh test(b);
+    const auto leaning = [](const point& p)
+    {
+        return point(p.x() + 0.37*p.y() + 0.21*p.z(), p.y() - 0.4*p.x(), p.z());
+    };
+    movePoints(test.mesh(), leaning);
+
+    // Just inside of the corners of the mesh's cells
+    DynamicList<point> tips;
+    for (label cell = 0; cell < 8*4*4; ++cell)
+    {
+        const vector at(cell % 8, (cell/8) % 4, cell/32);
+        for (label corner = 0; corner < 8; ++corner)
+        {
+            vector to;
+            for (direction k = 0; k < 3; ++k)
+            {
+                to[k] = (at[k] + (corner & (1 << k) ? 1 - 1e-5 : 1e-5))/b.cells[k];
+            }
+            tips.append(leaning(to));
+        }
+    }
+    expectEachOnce(test, pointField(std::move(tips)));
+}
+
 } // End anonymous namespace
+
+
+TEST(grainExchange, findsEachPointOfConcaveCells)
+{
+    expectSliversFound();
+}
+
+
+TEST(grainExchange, findsPointsInTheTipsOfLeaningCells)
+{
+    expectTipsFound();
+}
+
+
+TEST(grainExchange, saysThatAPlaceOutsideIsWithinTheBounds)
+{
+    testMesh test(box());
+    movePoints(test.mesh(), bent);
+    standingGrains phase(test.mesh());
+    place(phase, pointField(1, point(0.02, 0.02, 0.5)), 0.01);
+    grainExchange exchange(test.mesh());
+
+    try
+    {
+        exchange.locate(phase);
+        FAIL() << "no error";
+    }
+    catch (const Foam::error& e)
+    {
+        EXPECT_NE
+        (
+            e.message().find("within these bounds, but in none of the cells"),
+            std::string::npos
+        );
+    }
+}
 
 
 TEST(grainExchange, findsTheCellThatOpenFOAMFinds)
@@ -220,4 +349,16 @@ TEST(ParallelGrainExchange, bringsValuesThereAndBack)
 {
     testMesh test(box());
     expectThereAndBack(test);
+}
+
+
+TEST(ParallelGrainExchange, eachPointOfConcaveCellsIsOnOneRank)
+{
+    expectSliversFound();
+}
+
+
+TEST(ParallelGrainExchange, pointsInTheTipsOfLeaningCellsAreOnOneRank)
+{
+    expectTipsFound();
 }

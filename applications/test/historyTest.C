@@ -90,7 +90,7 @@ struct sphere
             (
                 exchange, *pores,
                 entries("rotationalDrag { model none; }" + laws),
-                Zero, 1
+                vector(Zero), 1
             )
         );
     }
@@ -113,7 +113,7 @@ struct sphere
             fluidMeans
             {
                 vectorField(n, U + 0.5*interval*acceleration),
-                vectorField(n, acceleration), none, none
+                vectorField(n, acceleration), none, none, rho*one, Zero
             }
         );
         return forces->force()[0];

@@ -52,10 +52,15 @@ struct loneGrain
         result->prepare(fluid, interval);
         result->finish
         (
-            fluidMeans
-            {
-                fluid.U, none, vectorField(n, pressureGradient), none
-            }
+            inEquation
+            (
+                fluidMeans
+                {
+                    fluid.U, none, vectorField(n, pressureGradient), none,
+                    scalarField(), Zero
+                },
+                fluid.rho, *result, pores, box.mesh(), g
+            )
         );
         EXPECT_LT(result->residual(), 1e-12);
         return result;

@@ -93,7 +93,7 @@ struct approach
                 (
                     "drag { model none; } rotationalDrag { model none; }" + laws
                 ),
-                Zero, 1
+                vector(Zero), 1
             )
         );
     }
@@ -108,7 +108,7 @@ struct approach
         (
             fluidFields{970*one, mu*one, one, none, none, none, none}, interval
         );
-        forces->finish(fluidMeans{none, none, none, none});
+        forces->finish(fluidMeans{none, none, none, none, 970*one, Zero});
         return forces->force()[0];
     }
 

@@ -2,6 +2,7 @@
 // Void fraction from grains: conservation, adjointness, over-full cells.
 
 #include "porosity.H"
+#include "otherMeshes.H"
 #include "scatteredGrains.H"
 #include "testNumber.H"
 
@@ -387,11 +388,87 @@ TEST(caps, aGrainOnACornerIsInEightEqualParts)
         EXPECT_NEAR(beyond, capShare(h[k]), 1e-12);
     }
 
-    // And those beyond several planes the product
+    // And those beyond all three the corner, against points at random
+    Random random(11);
+    const label n = 400000;
+    label beyond = 0;
+    for (label i = 0; i < n; ++i)
+    {
+        vector p;
+        for (direction k = 0; k < 3; ++k)
+        {
+            p[k] = radius*(2*random.sample01<scalar>() - 1);
+        }
+        beyond += magSqr(p) < sqr(radius) && cmptMin(p - h) > 0;
+    }
     EXPECT_NEAR
     (
-        shares[7], capShare(h.x())*capShare(h.y())*capShare(h.z()), 1e-12
+        shares[7], beyond*pow3(2*radius)/(n*volumeOf(1)), 1e-3
     );
+}
+
+
+//- Largest change of the volume of a grain in a cell, over its own, while it
+//  goes in steps of 0.02 mm through a face between cells of 125 mm and of half
+//  as much, off any symmetry
+scalar largestChange(const word& model, const word& smoothing)
+{
+    testMesh test(box());
+    refineBeyond(test.mesh(), 0.5);
+    scalarField before;
+    scalar most = 0;
+
+    for (label step = -200; step < 200; ++step)
+    {
+        standingGrains phase(test.mesh());
+        place(phase, pointField(1, point(0.5 + 2e-5*step, 0.41, 0.43)), radius);
+        grainExchange exchange(test.mesh());
+        exchange.locate(phase);
+        porosity pores(exchange, settings(model, smoothing));
+        pores.update();
+        const scalarField now(pores.solidFraction()*test.mesh().V()/volumeOf(1));
+
+        if (before.size())
+        {
+            most = max(most, max(mag(now - before)));
+        }
+        before = now;
+    }
+
+    testNumber((model + ", " + smoothing + ": largest change").c_str(), most);
+    return most;
+}
+
+
+TEST(caps, aGrainMovesItsVolumeInProportionAtRefinedCells)
+{
+    // The largest section of the grain passes a face: 3/4 of step over radius
+    const scalar inProportion = 0.75*2e-5/radius;
+
+    EXPECT_LT(largestChange("caps", "none"), 1.001*inProportion);
+    EXPECT_LT(largestChange("caps", "diffusion"), inProportion);
+}
+
+
+TEST(caps, aGrainOnARefinedFaceIsHalfInTheLargeCell)
+{
+    testMesh test(box());
+    refineBeyond(test.mesh(), 0.5);
+    standingGrains phase(test.mesh());
+    const point p(0.5, 0.4375, 0.4375);
+    place(phase, pointField(1, p), radius);
+    grainExchange exchange(test.mesh());
+    exchange.locate(phase);
+    porosity pores(exchange, settings("caps", "none"));
+    pores.update();
+
+    const scalarField shares(pores.solidFraction()*test.mesh().V()/volumeOf(1));
+    EXPECT_NEAR(shares[test.mesh().findCell(p - vector(0.01, 0, 0))], 0.5, 1e-10);
+    for (label i = 0; i < 4; ++i)
+    {
+        const vector to(0.01, i & 1 ? 0.01 : -0.01, i & 2 ? 0.01 : -0.01);
+        EXPECT_NEAR(shares[test.mesh().findCell(p + to)], 0.125, 1e-10);
+    }
 }
 
 
@@ -503,4 +580,68 @@ TEST(ParallelPorosity, isTheSameWhereverTheRanksMeet)
 {
     expectShifted("divided");
     expectShifted("caps");
+}
+
+
+//- On a refined mesh each cell holds the points of a grain that lie in it,
+//  whatever ranks the grain reaches over. One grain at a time: what of several does
+//  not fit into a cell is spread
+TEST(ParallelPorosity, capsAreTheVolumesOfRandomPointsAtRefinedCells)
+{
+    testMesh test(box());
+    refineBeyond(test.mesh(), 0.5);
+    const pointField centres
+    (
+        randomPoints(6, point(0.4, 0.3, 0.3), point(0.6, 0.7, 0.7))
+    );
+    dictionary dict(settings("caps", "none"));
+    dict.add("minimum", 1e-6);
+
+    for (const scalar r : {0.05, 0.15})
+    {
+        const scalar volume = 4*constant::mathematical::pi/3*pow3(r);
+        scalar most = 0;
+
+        for (const point& centre : centres)
+        {
+            standingGrains phase(test.mesh());
+            place(phase, pointField(1, centre), r);
+            grainExchange exchange(test.mesh());
+            exchange.locate(phase);
+            porosity pores(exchange, dict);
+            pores.update();
+
+            scalarField expected(test.mesh().nCells(), Zero);
+            const label n = 20000;
+            Random random(5);
+
+            for (label i = 0; i < n; ++i)
+            {
+                point p;
+                do
+                {
+                    for (direction k = 0; k < 3; ++k)
+                    {
+                        p[k] = 2*random.sample01<scalar>() - 1;
+                    }
+                } while (magSqr(p) > 1);
+
+                const label cell = exchange.cellOf(centre + r*p);
+                if (cell >= 0)
+                {
+                    expected[cell] += 1.0/n;
+                }
+            }
+
+            const scalarField shares
+            (
+                pores.solidFraction()*test.mesh().V()/volume
+            );
+            most = max(most, gMax(mag(shares - expected)()));
+            EXPECT_NEAR(gSum(shares), 1, 1e-12);
+        }
+
+        testNumber("largest difference of a share", most);
+        EXPECT_LT(most, 4*0.5/std::sqrt(scalar(20000)));
+    }
 }

@@ -71,7 +71,7 @@ vectorField viscousForces
             " rotationalDrag { model none; }"
             " viscousForce { strength " + strength + "; }"
         ),
-        Zero,
+        vector(Zero),
         1
     );
 
@@ -80,7 +80,10 @@ vectorField viscousForces
     forces.prepare(fluid, interval);
 
     const vectorField none(mesh.nCells(), Zero);
-    forces.finish(fluidMeans{none, none, none, fluid.viscousForce});
+    forces.finish
+    (
+        fluidMeans{none, none, none, fluid.viscousForce, fluid.rho, Zero}
+    );
 
     return forces.force();
 }

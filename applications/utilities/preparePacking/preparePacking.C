@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the packings of system/packingDict and writes them as one LIGGGHTS data
-// file, constant/grains.data, with constant/packingProperties beside it.
+// file, constant/grains/data (without that folder constant/grains.data), with
+// constant/packingProperties beside its folder.
 
 #include "grainContacts.H"
 #include "grainsData.H"
@@ -284,7 +285,14 @@ int main(int argc, char* argv[])
     );
 
     const packedGrains grains(joined(dict, packings, domain));
-    const fileName file(runTime.path()/runTime.constant()/"grains.data");
+    const fileName folder(runTime.path()/runTime.constant());
+
+    // In constant itself OpenFOAM's postProcess misses a header in it; cases that
+    // have their scripts there read it there
+    const fileName file
+    (
+        isDir(folder/"grains") ? folder/"grains"/"data" : folder/"grains.data"
+    );
     writeGrainsData
     (
         file,

@@ -8,6 +8,7 @@
 #include "OSspecific.H"
 #include "PstreamReduceOps.H"
 #include "dictionary.H"
+#include "foamCompatibility.H"
 #include "mathematicalConstants.H"
 
 Foam::bedGrains::bedGrains
@@ -110,7 +111,7 @@ Foam::scalarField Foam::bedGrains::highest
     }
 
     Pstream::listCombineGather(result, maxEqOp<scalar>());
-    Pstream::listCombineScatter(result);
+    compatibility::broadcast(result);
     return result;
 }
 
@@ -195,7 +196,7 @@ void Foam::bedReference::take
 bool Foam::bedReference::read(const fileName& file)
 {
     bool found = Pstream::master() && isFile(file);
-    Pstream::scatter(found);
+    compatibility::broadcast(found);
 
     if (!found)
     {
@@ -216,13 +217,13 @@ bool Foam::bedReference::read(const fileName& file)
         dict.readEntry("planVolume", planVolume);
     }
 
-    Pstream::scatter(time);
-    Pstream::scatter(d);
-    Pstream::scatter(packing);
-    Pstream::scatter(end);
-    Pstream::scatter(volume);
-    Pstream::scatter(highest);
-    Pstream::scatter(planVolume);
+    compatibility::broadcast(time);
+    compatibility::broadcast(d);
+    compatibility::broadcast(packing);
+    compatibility::broadcast(end);
+    compatibility::broadcast(volume);
+    compatibility::broadcast(highest);
+    compatibility::broadcast(planVolume);
 
     return true;
 }

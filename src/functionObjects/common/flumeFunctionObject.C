@@ -47,7 +47,7 @@ Foam::functionObjects::flumeFunctionObject::flumeFunctionObject
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name, fileName, dict),
+    compatibility::writeFile(mesh_, name, fileName, dict),
     lookedAt_(-GREAT),
     seen_(false),
     rhoWater_(0)
@@ -57,7 +57,7 @@ Foam::functionObjects::flumeFunctionObject::flumeFunctionObject
 bool Foam::functionObjects::flumeFunctionObject::read(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
-    writeFile::read(dict);
+    compatibility::writeFile::read(dict);
 
     frame_ = flumeFrame(dict);
     alphaName_ = dict.lookupOrDefault<word>("alpha", "alpha.water");
@@ -269,7 +269,7 @@ Foam::functionObjects::flumeFunctionObject::extraFile(const word& name)
 {
     if (!files_.found(name))
     {
-        files_.set(name, createFile(name).release());
+        files_.set(name, newFileAtStartTime(name).release());
     }
 
     return *files_[name];
@@ -279,7 +279,7 @@ Foam::functionObjects::flumeFunctionObject::extraFile(const word& name)
 Foam::autoPtr<Foam::OFstream>
 Foam::functionObjects::flumeFunctionObject::presentFile(const word& name) const
 {
-    return createFile(name, now());
+    return newFileAtTime(name, now());
 }
 
 
