@@ -11,29 +11,18 @@
 #include "pimpleControl.H"
 #include "fvOptions.H"
 #include "CorrectPhi.H"
+#include "divergence.H"
+#include "exchangeTime.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
 #include "firstRankFirst.H"
 #include "fpeGuard.H"
 #include "functionState.H"
 #include "grainCoupling.H"
+#include "reconstructionCheck.H"
 #include "slidingGate.H"
 #include "solverChecks.H"
 #include "stopSignal.H"
 #include "timeFolders.H"
-
-namespace Foam
-{
-namespace fvc
-{
-    // OpenFOAM's own instance: compiled here it would add in another order,
-    // and a run without grains would not be interFoam's to the last bit
-    extern template tmp<GeometricField<vector, fvPatchField, volMesh>>
-    reconstruct<scalar>
-    (
-        const GeometricField<scalar, fvsPatchField, surfaceMesh>&
-    );
-}
-}
 
 
 int main(int argc, char *argv[])
@@ -50,7 +39,8 @@ int main(int argc, char *argv[])
     #include "setRootCaseLists.H"
     const firstRankFirst errors;
     timeFolders::putIncompleteAside(args);
-    #include "createTime.H"
+    Info<< "Create time\n" << endl;
+    exchangeTime runTime(Time::controlDictName, args);
     #include "createMesh.H"
 
     pimpleControl pimple(mesh);
@@ -81,10 +71,9 @@ int main(int argc, char *argv[])
     while (runTime.run())
     {
         // Now that function objects have seen it
-        if (toWrite && together())
+        if (toWrite)
         {
             #include "write.H"
-            toWrite = false;
         }
 
         #include "readTimeControls.H"
@@ -92,8 +81,17 @@ int main(int argc, char *argv[])
 
         if (grains.due())
         {
-            grains.moveGrains();
-            grains.locateGrains();
+            blameFlow
+            (
+                U,
+                phiU,
+                g.value(),
+                [&]()
+                {
+                    grains.moveGrains();
+                    grains.locateGrains();
+                }
+            );
             grains.findPorosity();
             grains.prepareForces(fluidNow());
         }
@@ -106,13 +104,16 @@ int main(int argc, char *argv[])
             const stageTimes::stage stage(grains.times(), "fluidSolution");
             #include "fluidStep.H"
         }
+        checkSpeed(U, lastLook);
 
         if (grains.active())
         {
             grains.addFluidStep
             (
                 U,
-                pressureGradient(),
+                rho,
+                netForce,
+                pressureForce,
                 viscousForce(),
                 runTime.deltaTValue()
             );
@@ -123,7 +124,8 @@ int main(int argc, char *argv[])
             }
         }
 
-        toWrite = toWrite || runTime.writeTime();
+        runTime.writeWhere(together());
+        toWrite = runTime.writeTime();
         asked = together() && stop.requested();
 
         if (asked)

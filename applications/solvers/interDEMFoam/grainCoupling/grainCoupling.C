@@ -10,10 +10,13 @@
 #include "functionObject.H"
 #include "keywords.H"
 
-Foam::grainCoupling::grainCoupling(const fvMesh& mesh, const vector& g)
+Foam::grainCoupling::grainCoupling
+(
+    const fvMesh& mesh,
+    const hydrostatics& rest
+)
 :
     mesh_(mesh),
-    g_(g),
     elapsed_(0),
     nEntered_(0),
     warnedOf_(0)
@@ -46,7 +49,7 @@ Foam::grainCoupling::grainCoupling(const fvMesh& mesh, const vector& g)
 
     const IOdictionary dict(io);
 
-    phase_ = granularPhase::New(mesh, dict, g);
+    phase_ = granularPhase::New(mesh, dict, rest.g());
     exchange_.reset(new grainExchange(mesh));
     porosity_.reset
     (
@@ -59,7 +62,7 @@ Foam::grainCoupling::grainCoupling(const fvMesh& mesh, const vector& g)
             *exchange_,
             *porosity_,
             keywords::sub(dict, "interphaseForces"),
-            g,
+            rest,
             phase_->coarseGraining()
         )
     );
@@ -101,6 +104,8 @@ void Foam::grainCoupling::resetSums(const vectorField& U)
     sums_.U = vectorField(U.size(), Zero);
     sums_.pressureGradient = sums_.U;
     sums_.viscousForce = sums_.U;
+    sums_.rho = scalarField(U.size(), Zero);
+    sums_.fromPressure = Zero;
 }
 
 
@@ -189,17 +194,29 @@ Foam::scalarField Foam::grainCoupling::targetVoidFraction
 void Foam::grainCoupling::addFluidStep
 (
     const vectorField& U,
-    const vectorField& pressureGradient,
+    const scalarField& rho,
+    const surfaceScalarField& netForce,
+    const vectorField& pressureForce,
     const vectorField& viscousForce,
     const scalar dt
 )
 {
+    const vectorField net(forces_->division().atCells(netForce));
+
     elapsed_ += dt;
     sums_.U += dt*U;
-    sums_.pressureGradient += dt*pressureGradient;
+    sums_.rho += dt*rho;
+    sums_.pressureGradient += dt*(forces_->rest().gradient(rho) - net);
     if (viscousForce.size())
     {
         sums_.viscousForce += dt*viscousForce;
+    }
+
+    // Cell by cell: the sums of both are large
+    forAll(net, cell)
+    {
+        sums_.fromPressure +=
+            dt*mesh_.V()[cell]*(pressureForce[cell] - net[cell]);
     }
 }
 
@@ -213,7 +230,9 @@ void Foam::grainCoupling::giveForces(const vectorField& U)
         sums_.U/elapsed_,
         (U - startU_)/elapsed_,
         sums_.pressureGradient/elapsed_,
-        sums_.viscousForce/elapsed_
+        sums_.viscousForce/elapsed_,
+        sums_.rho/elapsed_,
+        sums_.fromPressure/elapsed_
     };
 
     forces_->finish(means);

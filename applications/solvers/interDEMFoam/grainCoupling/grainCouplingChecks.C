@@ -3,6 +3,7 @@
 
 #include "grainCoupling.H"
 
+#include "OStringStream.H"
 #include "Time.H"
 
 void Foam::grainCoupling::checkRegime()
@@ -85,7 +86,7 @@ void Foam::grainCoupling::checkWalls() const
 }
 
 
-void Foam::grainCoupling::checkWriting(const Time& runTime) const
+Foam::string Foam::grainCoupling::writingFault(const Time& runTime) const
 {
     const dictionary& control = runTime.controlDict();
     const word writeControl
@@ -93,6 +94,7 @@ void Foam::grainCoupling::checkWriting(const Time& runTime) const
         control.lookupOrDefault<word>("writeControl", "timeStep")
     );
     const scalar interval = phase_->exchangeInterval();
+    OStringStream fault;
 
     const bool byTime =
         writeControl == "adjustable" || writeControl == "adjustableRunTime"
@@ -100,22 +102,23 @@ void Foam::grainCoupling::checkWriting(const Time& runTime) const
 
     if (!byTime)
     {
-        FatalIOErrorInFunction(control)
+        fault
             << "writeControl is " << writeControl
             << ": with grains, results are written at ends of exchange"
             << " intervals (" << interval << " s), where grains and water are"
             << " at the same time." << nl
             << "    Use writeControl adjustableRunTime, and a writeInterval"
-            << " that is a whole number of intervals." << exit(FatalIOError);
+            << " that is a whole number of intervals.";
+        return fault.str();
     }
 
     if (control.lookupOrDefault<label>("purgeWrite", 0) == 1)
     {
-        FatalIOErrorInFunction(control)
+        fault
             << "purgeWrite 1 removes the last time before the next one is"
             << " complete: a run killed just then has none to go on from." << nl
-            << "    Use purgeWrite 2, or more, or 0 to keep all."
-            << exit(FatalIOError);
+            << "    Use purgeWrite 2, or more, or 0 to keep all.";
+        return fault.str();
     }
 
     for (const word key : {"writeInterval", "endTime"})
@@ -128,30 +131,83 @@ void Foam::grainCoupling::checkWriting(const Time& runTime) const
         // As far as numbers of four digits can be wrong, but never as a whole
         if (mag(n - std::round(n)) > min(1e-4*max(n, scalar(1)), 0.01))
         {
-            FatalIOErrorInFunction(control)
+            fault
                 << key << " " << control.get<scalar>(key)
                 << " s does not fit the exchange interval of " << interval
                 << " s (" << phase_->stepsPerExchange() << " DEM steps of "
                 << phase_->timeStep() << " s): it is " << n << " intervals."
-                << nl << "    Make it a whole number of them."
-                << exit(FatalIOError);
+                << nl << "    Make it a whole number of them.";
+            return fault.str();
         }
+    }
+
+    return string();
+}
+
+
+Foam::string Foam::grainCoupling::stepFault(const Time& runTime) const
+{
+    const scalar interval = phase_->exchangeInterval();
+    const scalar deltaT = runTime.controlDict().get<scalar>("deltaT");
+    const scalar fitting = interval/std::ceil(interval/deltaT*(1 - 1e-6));
+
+    if (mag(fitting - deltaT) <= 1e-6*deltaT)
+    {
+        return string();
+    }
+
+    OStringStream fault;
+    fault
+        << "deltaT " << deltaT << " s does not fit the exchange interval"
+        << " of " << interval << " s: a whole number of"
+        << " fluid steps would be " << fitting << " s long." << nl
+        << "    Give that as deltaT, or adjustTimeStep yes.";
+
+    return fault.str();
+}
+
+
+void Foam::grainCoupling::checkWriting(const Time& runTime) const
+{
+    const string fault(writingFault(runTime));
+
+    if (fault.size())
+    {
+        FatalIOErrorInFunction(runTime.controlDict())
+            << fault.c_str() << exit(FatalIOError);
     }
 }
 
 
 void Foam::grainCoupling::checkStep(const Time& runTime) const
 {
-    const scalar deltaT = runTime.deltaTValue();
-    const scalar fitting = fluidStep(deltaT);
+    const string fault(stepFault(runTime));
 
-    if (mag(fitting - deltaT) > 1e-6*deltaT)
+    if (fault.size())
     {
         FatalIOErrorInFunction(runTime.controlDict())
-            << "deltaT " << deltaT << " s does not fit the exchange interval"
-            << " of " << phase_->exchangeInterval() << " s: a whole number of"
-            << " fluid steps would be " << fitting << " s long." << nl
-            << "    Give that as deltaT, or adjustTimeStep yes."
-            << exit(FatalIOError);
+            << fault.c_str() << exit(FatalIOError);
     }
+}
+
+
+void Foam::grainCoupling::tellChanges
+(
+    const Time& runTime,
+    const bool adjustTimeStep
+)
+{
+    const string writing(writingFault(runTime));
+    const string step(adjustTimeStep ? string() : stepFault(runTime));
+    const string all(writing + (writing.empty() ? "" : "\n    ") + step);
+
+    if (all != told_ && all.size())
+    {
+        IOWarningInFunction(runTime.controlDict())
+            << all.c_str() << nl
+            << "    The run goes on: it writes at the first end of an exchange"
+            << " after each time to write, and takes the longest fluid step that"
+            << " fits." << endl;
+    }
+    told_ = all;
 }

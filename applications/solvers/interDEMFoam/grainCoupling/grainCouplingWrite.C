@@ -6,6 +6,7 @@
 #include "OFstream.H"
 #include "OSspecific.H"
 #include "Time.H"
+#include "foamCompatibility.H"
 #include "grainSnapshot.H"
 #include "timeOnDisk.H"
 
@@ -57,7 +58,7 @@ bool Foam::grainCoupling::write()
 
     // One state of all ranks, with the files of the first
     fileName folder(timeOnDisk(mesh_.time())/granularPhase::stateFolder);
-    Pstream::scatter(folder);
+    compatibility::broadcast(folder);
     if (Pstream::master())
     {
         mkDir(folder);

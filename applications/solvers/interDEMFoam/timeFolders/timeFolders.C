@@ -9,6 +9,7 @@
 #include "cutOffFiles.H"
 #include "timeOnDisk.H"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 namespace
@@ -20,6 +21,37 @@ using namespace Foam;
 fileName markOf(const fileName& folder)
 {
     return folder/"uniform"/"complete";
+}
+
+
+//- A file or folder; one that cannot be opened is cut off or absent, which is
+//  looked for later
+void bringOneToDisk(const fileName& path)
+{
+    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+
+    if (file >= 0)
+    {
+        ::fsync(file);
+        ::close(file);
+    }
+}
+
+
+//- Have the system put all that is written below a folder on its disk: file by
+//  file, and last the folder, so that the names are there too. Of the machine's
+//  other files nothing is waited for
+void bringToDisk(const fileName& folder)
+{
+    for (const fileName& file : readDir(folder, fileName::FILE, false))
+    {
+        bringOneToDisk(folder/file);
+    }
+    for (const fileName& sub : readDir(folder, fileName::DIRECTORY))
+    {
+        bringToDisk(folder/sub);
+    }
+    bringOneToDisk(folder);
 }
 
 
@@ -141,8 +173,8 @@ void Foam::timeFolders::putIncompleteAside(const argList& args)
     // Before any rank looks for times
     returnReduce(true, andOp<bool>());
 
-    Info<< "Time " << latest << " was not written completely (killed, or"
-        << " a full disk?): it is now " << latest << ".incomplete," << nl
+    Info<< "Time " << latest << " was not written completely (killed, a"
+        << " full disk, or a flow that diverged?): it is now " << latest << ".incomplete," << nl
         << "    and this run goes on from " << complete << nl << endl;
 }
 
@@ -172,18 +204,23 @@ void Foam::timeFolders::markWritten(const Time& runTime, const bool complete)
     fileHandler().flush();
     // Collated files are the first rank's: the others wait for it
     returnReduce(true, andOp<bool>());
-    ::sync();
     const fileName folder(timeOnDisk(runTime));
+    bringToDisk(folder);
+    bringOneToDisk(folder.path());
     const fileName broken(cutOffFile(folder, markOf(folder)));
     mark(runTime, complete && broken.empty(), broken);
 }
 
 
+bool Foam::timeFolders::marked(const Time& runTime)
+{
+    return returnReduce(isFile(markOf(timeOnDisk(runTime))), andOp<bool>());
+}
+
+
 void Foam::timeFolders::markStart(const Time& runTime)
 {
-    const bool marked = isFile(markOf(timeOnDisk(runTime)));
-
-    if (!returnReduce(marked, andOp<bool>()))
+    if (!marked(runTime))
     {
         mark(runTime, true);
     }
