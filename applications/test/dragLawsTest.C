@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unit tests: what the drag laws give where the answer is known.
 
+#include "SubList.H"
 #include "forceLaws.H"
 
 using namespace Foam;
@@ -399,4 +400,34 @@ TEST(drag, SchillerNaumannDoesNotSeeTheNeighbours)
 TEST(drag, noneIsNothing)
 {
     EXPECT_EQ(law<dragModel>("model none;")->K(atReynolds(inWater(), 9)), 0);
+}
+
+
+TEST(drag, ofAGrainIsTheSameWhereverItStandsInAListAndInMemory)
+{
+    List<grainState> states(77, inWater());
+    forAll(states, i)
+    {
+        states[i] = atReynolds(inWater(), std::pow(10.0, -2 + 0.08*i));
+        states[i].voidFraction = 0.3 + 0.009*i;
+    }
+
+    for (const char* text : laws)
+    {
+        const auto drag = law<dragModel>(text);
+
+        for (label shift = 0; shift < 9; ++shift)
+        {
+            List<scalar> memory(states.size());
+            const label n = states.size() - shift;
+            SubList<scalar> K(memory, n, shift);
+            drag->K(SubList<grainState>(states, n, shift), K);
+
+            for (label i = 0; i < n; ++i)
+            {
+                ASSERT_EQ(K[i], drag->K(states[shift + i]))
+                    << text << " shifted by " << shift << ", grain " << i;
+            }
+        }
+    }
 }

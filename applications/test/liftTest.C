@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unit tests of the lift laws.
 
+#include "SubList.H"
 #include "forceLaws.H"
 #include "liftModel.H"
 
@@ -212,5 +213,34 @@ TEST(lift, strengthZeroIsNothingAndBetweenIsInProportion)
         }
         EXPECT_GT(mag(full), 0);
         expectVector(part, 0.3*full, 1e-15);
+    }
+}
+
+
+TEST(lift, ofAGrainIsTheSameWhereverItStandsInAList)
+{
+    List<grainState> states(77);
+    forAll(states, i)
+    {
+        states[i] =
+            flying(vector(1e-3*std::pow(1.1, i), 0, 0), vector(0, 0, 5));
+    }
+
+    for (const char* text : {"model LunLiu;", "model SaffmanMei;"})
+    {
+        const auto lift = law<liftModel>(text);
+
+        for (label shift = 0; shift < 9; ++shift)
+        {
+            const label n = states.size() - shift;
+            List<vector> forces(n);
+            lift->force(SubList<grainState>(states, n, shift), forces);
+
+            for (label i = 0; i < n; ++i)
+            {
+                ASSERT_EQ(forces[i], lift->force(states[shift + i]))
+                    << text << " shifted by " << shift << ", grain " << i;
+            }
+        }
     }
 }

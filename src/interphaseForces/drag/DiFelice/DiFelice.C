@@ -4,10 +4,9 @@
 
 #include "DiFelice.H"
 #include "addToRunTimeSelectionTable.H"
+#include "blockNumbers.H"
 #include "closure.H"
 #include "standardDrag.H"
-
-#include <Eigen/Core>
 
 namespace Foam
 {
@@ -55,12 +54,10 @@ void Foam::DiFelice::K
     UList<scalar>& K
 ) const
 {
-    using numbers = Eigen::Array<scalar, Eigen::Dynamic, 1, 0, blockOfGrains, 1>;
-
     for (label first = 0; first < states.size(); first += blockOfGrains)
     {
         const label n = min(states.size() - first, blockOfGrains);
-        numbers e(n), Re(n), single(n);
+        blockNumbers e(n), Re(n), single(n);
 
         for (label i = 0; i < n; ++i)
         {
@@ -74,18 +71,22 @@ void Foam::DiFelice::K
         }
 
         // One logarithm serves both powers of Re, finite at rest
-        const numbers logRe(Re.max(1e-30).log());
-        const numbers chi
+        const blockNumbers logRe(Re.max(1e-30).log());
+        const blockNumbers chi
         (
             3.7 - 0.65*(-0.5*(1.5 - logRe/M_LN10).square()).exp()
         );
-        const numbers drag((Re > 1000).select
+        const blockNumbers drag((Re > 1000).select
         (
             single*(0.44/24)*Re,
             single*(1 + 0.15*(0.687*logRe).exp())
         ));
 
-        Eigen::Map<Eigen::ArrayXd>(&K[first], n) =
-            drag*((1 - chi)*e.log()).exp();
+        const blockNumbers result(drag*((1 - chi)*e.log()).exp());
+
+        for (label i = 0; i < n; ++i)
+        {
+            K[first + i] = result[i];
+        }
     }
 }

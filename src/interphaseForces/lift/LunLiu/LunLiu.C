@@ -3,10 +3,9 @@
 
 #include "LunLiu.H"
 #include "addToRunTimeSelectionTable.H"
+#include "blockNumbers.H"
 #include "closure.H"
 #include "mathematicalConstants.H"
-
-#include <Eigen/Core>
 
 namespace Foam
 {
@@ -37,12 +36,10 @@ void Foam::LunLiu::force
     UList<vector>& forces
 ) const
 {
-    using numbers = Eigen::Array<scalar, Eigen::Dynamic, 1, 0, blockOfGrains, 1>;
-
     for (label first = 0; first < states.size(); first += blockOfGrains)
     {
         const label n = min(states.size() - first, blockOfGrains);
-        numbers Re(n);
+        blockNumbers Re(n);
 
         for (label i = 0; i < n; ++i)
         {
@@ -51,7 +48,7 @@ void Foam::LunLiu::force
         }
 
         // 1 at Re 1, so that the branches meet
-        const numbers f
+        const blockNumbers f
         (
             0.178 + 0.822*(-0.522*Re.max(1).min(1000).log()).exp()
         );
