@@ -302,3 +302,40 @@ TEST_F(tank, whatIsWrittenBetweenTwoLooksIsOfItsOwnTime)
     EXPECT_NEAR(lastLine("load", "collisionLoad")[1], 10, 1e-6);
     EXPECT_NEAR(lastLine("bed", "bedErosion")[1], -V/0.5, 0.05*V/0.5);
 }
+
+
+TEST_F(tank, whatIsKeptForARestartIsGatheredWhereATimeIsWrittenNotAtEachLook)
+{
+    functionObjects::surgeFront front
+    (
+        "front", box_.time(), dict("stripWidth 0.1;")
+    );
+    const auto state = [&]()
+    {
+        OStringStream os;
+        os << box_.time().lookupObject<IOdictionary>("functionObjectProperties");
+        return os.str();
+    };
+    const auto look = [&]()
+    {
+        ++box_.time();
+        front.execute();
+        return box_.time().value();
+    };
+
+    scalarList times({look(), look()});
+    const auto before = state().size();
+    for (label n = 0; n < 50; ++n)
+    {
+        times.append(look());
+    }
+    EXPECT_LE(state().size(), before + 20);
+
+    OStringStream written;
+    box_.time().lookupObject<regIOobject>("frontSeries").writeData(written);
+    IStringStream text(written.str());
+    const dictionary kept(text);
+
+    EXPECT_EQ(kept.subDict("position").get<scalarList>("times"), times);
+    EXPECT_EQ(kept.subDict("depth").get<scalarList>("values").size(), 52);
+}

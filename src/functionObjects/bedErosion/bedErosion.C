@@ -29,9 +29,9 @@ Foam::functionObjects::bedErosion::bedErosion
 {
     read(dict);
 
-    depth_ = keptSeries("depth");
-    rate_ = keptSeries("rate");
-    UEroded_ = keptSeries("UEroded");
+    keep("depth", depth_);
+    keep("rate", rate_);
+    keep("UEroded", UEroded_);
 
     if (writes())
     {
@@ -292,9 +292,6 @@ void Foam::functionObjects::bedErosion::follow
     depth_.append(now(), depth);
     rate_.append(now(), depth_.lastSlope(rateWindow_));
     UEroded_.append(now(), UMoving);
-    keep("depth", depth_);
-    keep("rate", rate_);
-    keep("UEroded", UEroded_);
 }
 
 

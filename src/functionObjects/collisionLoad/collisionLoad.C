@@ -26,10 +26,10 @@ Foam::functionObjects::collisionLoad::collisionLoad
 {
     read(dict);
 
-    force_ = keptSeries("force");
-    velocity_ = keptSeries("velocity");
-    height_ = keptSeries("height");
-    number_ = keptSeries("number");
+    keep("force", force_);
+    keep("velocity", velocity_);
+    keep("height", height_);
+    keep("number", number_);
 
     if (mass_ <= 0)
     {
@@ -217,10 +217,6 @@ bool Foam::functionObjects::collisionLoad::look()
     velocity_.append(now(), velocity);
     height_.append(now(), n*height);
     number_.append(now(), n);
-    keep("force", force_);
-    keep("velocity", velocity_);
-    keep("height", height_);
-    keep("number", number_);
     line_ =
     {
         force/max(n, 1), greatest, scalar(n), velocity/max(n, 1), height

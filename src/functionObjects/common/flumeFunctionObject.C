@@ -48,6 +48,7 @@ Foam::functionObjects::flumeFunctionObject::flumeFunctionObject
 :
     fvMeshFunctionObject(name, runTime, dict),
     compatibility::writeFile(mesh_, name, fileName, dict),
+    series_(name, runTime, !functionObject::postProcess),
     lookedAt_(-GREAT),
     seen_(false),
     rhoWater_(0)
@@ -341,35 +342,6 @@ const Foam::boundBox& Foam::functionObjects::flumeFunctionObject::box() const
     }
 
     return *box_;
-}
-
-
-void Foam::functionObjects::flumeFunctionObject::keep
-(
-    const word& name,
-    const sampleSeries& series
-)
-{
-    setProperty(name + "Times", series.times());
-    setProperty(name + "Values", series.values());
-}
-
-
-Foam::sampleSeries Foam::functionObjects::flumeFunctionObject::keptSeries
-(
-    const word& name
-) const
-{
-    scalarList times;
-    scalarList values;
-
-    if (!functionObject::postProcess)
-    {
-        getProperty(name + "Times", times);
-        getProperty(name + "Values", values);
-    }
-
-    return sampleSeries(times, values);
 }
 
 

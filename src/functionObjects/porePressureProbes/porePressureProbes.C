@@ -37,7 +37,7 @@ Foam::functionObjects::porePressureProbes::porePressureProbes
     pressure_.setSize(probes_.size());
     forAll(pressure_, i)
     {
-        pressure_[i] = keptSeries(seriesName(i));
+        keep(seriesName(i), pressure_[i]);
     }
 
     if (writes())
@@ -329,7 +329,6 @@ bool Foam::functionObjects::porePressureProbes::look()
         );
 
         pressure_[i].append(now(), p);
-        keep(seriesName(i), pressure_[i]);
     }
 
     return true;

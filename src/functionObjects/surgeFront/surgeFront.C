@@ -43,8 +43,8 @@ Foam::functionObjects::surgeFront::surgeFront
 {
     read(dict);
 
-    position_ = keptSeries("position");
-    depth_ = keptSeries("depth");
+    keep("position", position_);
+    keep("depth", depth_);
 
     if (writes())
     {
@@ -279,8 +279,6 @@ void Foam::functionObjects::surgeFront::follow(const scalar x, const scalar h)
 {
     position_.append(now(), x);
     depth_.append(now(), h);
-    keep("position", position_);
-    keep("depth", depth_);
 
     const FixedList<scalar, 3> reached(overReach());
     setResult("x", x);

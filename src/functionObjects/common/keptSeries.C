@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Histories of a function object, kept for a run that goes on.
+
+#include "keptSeries.H"
+
+#include "Time.H"
+
+Foam::keptSeries::keptSeries
+(
+    const word& name,
+    const Time& runTime,
+    const bool read
+)
+:
+    IOdictionary
+    (
+        IOobject
+        (
+            name + "Series",
+            runTime.timeName(),
+            "uniform"/word("functionObjects"),
+            runTime,
+            read ? IOobject::READ_IF_PRESENT : IOobject::NO_READ,
+            IOobject::AUTO_WRITE
+        )
+    )
+{}
+
+
+void Foam::keptSeries::keep(const word& name, sampleSeries& series)
+{
+    const dictionary read(subOrEmptyDict(name));
+
+    series = sampleSeries
+    (
+        read.lookupOrDefault("times", scalarList()),
+        read.lookupOrDefault("values", scalarList())
+    );
+    series_.set(name, &series);
+}
+
+
+bool Foam::keptSeries::writeData(Ostream& os) const
+{
+    dictionary all;
+
+    forAllConstIters(series_, iter)
+    {
+        dictionary one;
+        one.add("times", (*iter)->times());
+        one.add("values", (*iter)->values());
+        all.add(iter.key(), one);
+    }
+
+    // Every digit, so that a run that goes on has the same series
+    const int precision = os.precision(16);
+    all.write(os, false);
+    os.precision(precision);
+
+    return os.good();
+}
