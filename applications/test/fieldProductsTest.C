@@ -256,7 +256,7 @@ TEST(FieldProducts, onAMeshAreRightWhereTheResultIsWrittenOverATemporaryOperand)
 }
 
 
-TEST(FieldProducts, areRightInOpenFOAMsOwnLibraryToo)
+TEST(FieldProducts, giveAUniformVelocityBackFromItsFluxOnASkewedMesh)
 {
     skewBox skew;
     const vector u(1, 2, 3);
