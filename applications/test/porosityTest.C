@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Void fraction from grains: conservation, adjointness, over-full cells.
 
+#include "diffusion.H"
 #include "porosity.H"
 #include "otherMeshes.H"
 #include "scatteredGrains.H"
@@ -540,6 +541,60 @@ TEST(diffusion, aPointBecomesABellCurveOfTheWidth)
         ),
         1e-9*exact
     );
+}
+
+
+TEST(diffusion, wideSmoothingTakesFewFluxesAndIsThatOfTheClosedForm)
+{
+    testBox b;
+    b.cells = labelVector(40, 6, 6);
+    testMesh test(b);
+    const fvMesh& mesh = test.mesh();
+    IStringStream text("width 3;");
+    smoothingModels::diffusion wide(mesh, dictionary(text));
+
+    // Sides of 1/40 and 1/6: for a bell of 0.9 the steps would be 1,355
+    wide.setDiameter(0.3);
+    EXPECT_LT(wide.nFluxes(), 180);
+
+    // A wave between the walls decays by itself: eigenvalue of the second difference
+    scalarField wave(mesh.nCells());
+    forAll(wave, cell)
+    {
+        wave[cell] = Foam::cos(3*M_PI*mesh.C()[cell].x());
+    }
+    const scalar eigenvalue = sqr(2*40*Foam::sin(3*M_PI/80));
+    const scalar decay = Foam::exp(-eigenvalue*sqr(0.9)/4);
+    scalarField smoothed(wave);
+    wide.smooth(smoothed);
+    EXPECT_LT(max(mag(smoothed - decay*wave)), 1e-9);
+
+    // A grain in one cell, and another: kept, not below zero, its own adjoint
+    scalarField one(mesh.nCells(), Zero);
+    scalarField other(mesh.nCells(), Zero);
+    one[100] = 1;
+    other[777] = 1;
+    scalarField oneSmoothed(one);
+    scalarField otherSmoothed(other);
+    wide.smooth(oneSmoothed);
+    wide.smooth(otherSmoothed);
+    EXPECT_NEAR(sum(oneSmoothed), 1, 1e-12);
+    EXPECT_GT(min(oneSmoothed), -1e-10);
+    EXPECT_NEAR(oneSmoothed[777], otherSmoothed[100], 1e-15);
+}
+
+
+TEST(diffusion, narrowSmoothingKeepsItsSteps)
+{
+    testBox b;
+    b.cells = labelVector(20, 20, 20);
+    testMesh test(b);
+    IStringStream text("width 3;");
+    smoothingModels::diffusion narrow(test.mesh(), dictionary(text));
+
+    // (3 d)^2/4 over dx^2/12, of equal cells
+    narrow.setDiameter(0.04);
+    EXPECT_EQ(narrow.nFluxes(), 18);
 }
 
 

@@ -20,6 +20,49 @@ namespace smoothingModels
 }
 
 
+namespace
+{
+    //- exp(-x) from 0 to 2 r in Chebyshev polynomials of x/r - 1: coefficients
+    //  2 (-1)^k e^-r I_k(r), half of it for k = 0, to where the rest is below
+    //  1e-10. By Miller's backward recurrence; their sum at x = 0 is 1, which
+    //  keeps the integral
+    Foam::scalarList exponential(const Foam::scalar r)
+    {
+        using namespace Foam;
+
+        // e^-r I_k(r) falls as exp(-k^2/(2 r)), and faster for k > r
+        const label most = label(std::ceil(10*std::sqrt(r))) + 40;
+        scalarList coefficients(most, Zero);
+        scalar later = 0;
+        scalar present = 1e-280;
+
+        for (label k = most - 1; k >= 0; --k)
+        {
+            coefficients[k] = present;
+            const scalar earlier = later + 2*k/r*present;
+            later = present;
+            present = earlier;
+        }
+
+        label n = most;
+        scalar rest = 0;
+        const scalar all = 2*sum(coefficients) - coefficients[0];
+        while (n > 1 && rest + 2*coefficients[n - 1] < 1e-10*all)
+        {
+            rest += 2*coefficients[--n];
+        }
+
+        coefficients.setSize(n);
+        forAll(coefficients, k)
+        {
+            coefficients[k] *= (k ? (k % 2 ? -2 : 2) : 1)/(all - rest);
+        }
+
+        return coefficients;
+    }
+}
+
+
 Foam::smoothingModels::diffusion::diffusion
 (
     const fvMesh& mesh,
@@ -81,6 +124,17 @@ void Foam::smoothingModels::diffusion::setDiameter(const scalar d)
 
     nSteps_ = label(std::ceil(duration/longestStep_));
     step_ = nSteps_ ? duration/nSteps_ : 0;
+    series_.clear();
+
+    // The steps keep what is positive so, and are fewer where they are few
+    if (nSteps_ > 20)
+    {
+        series_ = exponential(duration/longestStep_/2);
+        if (series_.size() > nSteps_)
+        {
+            series_.clear();
+        }
+    }
 }
 
 
@@ -134,43 +188,96 @@ void Foam::smoothingModels::diffusion::swap
 
 
 template<class T>
-void Foam::smoothingModels::diffusion::diffuse(Field<T>& cells) const
+void Foam::smoothingModels::diffusion::gainOf
+(
+    const Field<T>& cells,
+    Field<T>& gain
+) const
 {
     const label nInternal = mesh_.nInternalFaces();
     const labelUList& owner = mesh_.owner();
     const labelUList& neighbour = mesh_.neighbour();
     const labelUList& faceOwner = mesh_.faceOwner();
+
+    gain = Zero;
+
+    for (label f = 0; f < nInternal; ++f)
+    {
+        const T flux
+        (
+            conductance_[f]*(cells[neighbour[f]] - cells[owner[f]])
+        );
+        gain[owner[f]] += flux;
+        gain[neighbour[f]] -= flux;
+    }
+
+    Field<T> behind(mesh_.nFaces() - nInternal, Zero);
+    swap(cells, behind);
+
+    forAll(behind, i)
+    {
+        const label f = nInternal + i;
+
+        if (conductance_[f] > 0)
+        {
+            gain[faceOwner[f]] +=
+                conductance_[f]*(behind[i] - cells[faceOwner[f]]);
+        }
+    }
+}
+
+
+template<class T>
+void Foam::smoothingModels::diffusion::sumSeries(Field<T>& cells) const
+{
     const scalarField& volume = mesh_.V();
 
+    // x is the diffusion over its whole time, at most 2 r; x/r of a cell:
+    const scalar perR = 2*longestStep_;
+    Field<T> earlier(cells);
+    Field<T> present(cells.size());
     Field<T> gain(cells.size());
-    Field<T> behind(mesh_.nFaces() - nInternal, Zero);
+
+    gainOf(earlier, gain);
+    forAll(cells, cell)
+    {
+        present[cell] = -perR/volume[cell]*gain[cell] - earlier[cell];
+        cells[cell] =
+            series_[0]*earlier[cell] + series_[1]*present[cell];
+    }
+
+    for (label k = 2; k < series_.size(); ++k)
+    {
+        gainOf(present, gain);
+        forAll(cells, cell)
+        {
+            const T next
+            (
+               -2*(perR/volume[cell]*gain[cell] + present[cell]) - earlier[cell]
+            );
+            earlier[cell] = present[cell];
+            present[cell] = next;
+            cells[cell] += series_[k]*next;
+        }
+    }
+}
+
+
+template<class T>
+void Foam::smoothingModels::diffusion::diffuse(Field<T>& cells) const
+{
+    if (series_.size())
+    {
+        sumSeries(cells);
+        return;
+    }
+
+    const scalarField& volume = mesh_.V();
+    Field<T> gain(cells.size());
 
     for (label n = 0; n < nSteps_; ++n)
     {
-        gain = Zero;
-
-        for (label f = 0; f < nInternal; ++f)
-        {
-            const T flux
-            (
-                conductance_[f]*(cells[neighbour[f]] - cells[owner[f]])
-            );
-            gain[owner[f]] += flux;
-            gain[neighbour[f]] -= flux;
-        }
-
-        swap(cells, behind);
-
-        forAll(behind, i)
-        {
-            const label f = nInternal + i;
-
-            if (conductance_[f] > 0)
-            {
-                gain[faceOwner[f]] +=
-                    conductance_[f]*(behind[i] - cells[faceOwner[f]]);
-            }
-        }
+        gainOf(cells, gain);
 
         forAll(cells, cell)
         {
