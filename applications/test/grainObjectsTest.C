@@ -316,6 +316,8 @@ TEST_F(tank, whatIsKeptForARestartIsGatheredWhereATimeIsWrittenNotAtEachLook)
         os << box_.time().lookupObject<IOdictionary>("functionObjectProperties");
         return os.str();
     };
+    // No number of few digits
+    box_.time().setDeltaT(1.0/3);
     const auto look = [&]()
     {
         ++box_.time();

@@ -120,3 +120,34 @@ TEST(hydrostatics, oneFluidAloneIsBalancedAndASecondIsTold)
 
     EXPECT_THROW(rest.check(waterAndAir(box.mesh())), Foam::error);
 }
+
+
+TEST(hydrostatics, sidesThatMissEachOtherByRoundingAreNoSlope)
+{
+    testMesh box(chute());
+    pointField points(box.mesh().points());
+    for (point& p : points)
+    {
+        p.z() += p.x() > 0.9 ? 5e-6 : 0;
+    }
+    box.mesh().movePoints(points);
+
+    const vector down(0, 0, -9.81);
+    const hydrostatics rest(box.mesh(), down, waterAndAir(box.mesh()), 1.2);
+
+    EXPECT_FALSE(rest.drives());
+    EXPECT_EQ(rest.normal(), down);
+}
+
+
+TEST(hydrostatics, patchesWhoseFacesOnlyOverlapRepeatNoChute)
+{
+    testBox overlapping(chute());
+    overlapping.patches[0] = overlapping.patches[1] = "cyclicAMI";
+    testMesh box(overlapping);
+    const scalarField rho(waterAndAir(box.mesh()));
+
+    const vector down(0, 0, -9.81);
+    EXPECT_EQ(hydrostatics(box.mesh(), down, rho, 1.2).normal(), down);
+    EXPECT_THROW(hydrostatics(box.mesh(), vector(9, 0, -4), rho, 1.2), Foam::error);
+}

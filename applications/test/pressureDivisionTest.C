@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pressure force at faces, divided between fluid and grains.
 
+#include "otherMeshes.H"
 #include "pressureDivision.H"
 #include "testMesh.H"
 
@@ -60,44 +61,47 @@ struct divided
     }
 };
 
+
+//- Both sides get the whole, and grains what the fluid feels
+void expectDivided(const fvMesh& mesh)
+{
+    const divided force(mesh);
+    const vectorField fluid
+    (
+        fvc::reconstruct(force.division.atFaces(force.share)*force.net)()
+       .primitiveField()
+    );
+    const vectorField felt(force.division.atCells(force.net));
+    const vectorField grains((1 - force.share.primitiveField())*felt);
+    const scalarField& V = mesh.V();
+    const vector whole(gSum(V*felt));
+
+    EXPECT_LT(mag(gSum(V*(fluid + grains)) - whole), 1e-13*mag(whole));
+
+    const vectorField alone(fvc::reconstruct(force.net)().primitiveField());
+    EXPECT_LT(gMax(mag(felt - alone)()), 1e-12*gMax(mag(alone)()));
+}
+
 } // End anonymous namespace
 
 
 TEST(pressureDivision, givesFluidAndGrainsTheWholeOnAGradedMesh)
 {
     gradedMesh box;
-    const divided force(box.mesh());
-    const fvMesh& mesh = force.mesh;
-
-    const vectorField fluid
-    (
-        fvc::reconstruct(force.division.atFaces(force.share)*force.net)()
-       .primitiveField()
-    );
-    const vectorField grains
-    (
-        (1 - force.share.primitiveField())*force.division.atCells(force.net)
-    );
-    const vector all(gSum(mesh.V()*(fluid + grains)));
-    vector whole(force.division.total(force.net));
-    reduce(whole, sumOp<vector>());
-
-    EXPECT_LT(mag(all - whole), 1e-13*mag(whole));
+    expectDivided(box.mesh());
 }
 
 
-TEST(pressureDivision, givesGrainsWhatTheFluidFeelsOnAGradedMesh)
+TEST(pressureDivision, givesFluidAndGrainsTheWholeOnARefinedMesh)
+{
+    testMesh box;
+    refineBeyond(box.mesh(), 0.5);
+    expectDivided(box.mesh());
+}
+
+
+TEST(ParallelPressureDivision, givesFluidAndGrainsTheWholeAcrossRanks)
 {
     gradedMesh box;
-    const divided force(box.mesh());
-    const vectorField fluid
-    (
-        fvc::reconstruct(force.net)().primitiveField()
-    );
-
-    EXPECT_LT
-    (
-        gMax(mag(force.division.atCells(force.net) - fluid)()),
-        1e-12*gMax(mag(fluid)())
-    );
+    expectDivided(box.mesh());
 }

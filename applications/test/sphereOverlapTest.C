@@ -227,3 +227,31 @@ TEST(sphereOverlap, isTheVolumeOfRandomPointsInConcaveWarpedCells)
     );
     expectVolumesOfPoints("crumpled", test.mesh());
 }
+
+
+TEST(sphereOverlap, aSphereOnACornerIsSharedByEightCellsFarFromTheOriginToo)
+{
+    for (const scalar off : {0.0, 300.0, 1e4})
+    {
+        testBox far(box());
+        far.origin = point(off, 2*off, 0.3*off);
+        testMesh test(far);
+        const meshWalker walker(test.mesh());
+        const sphereOverlap overlap(walker);
+        const point corner(far.origin + vector::uniform(0.5));
+        label cell = 0;
+        while (!overlap.inside(corner, cell))
+        {
+            ++cell;
+        }
+
+        const scalarField shares(sharesOfSphere(overlap, cell, corner, 0.05));
+        label n = 0;
+        for (const scalar share : shares)
+        {
+            n += mag(share - 0.125) < 1e-6*max(off, scalar(1));
+        }
+        EXPECT_EQ(n, 8) << off << " m away";
+        EXPECT_NEAR(sum(shares), 1, 1e-9) << off << " m away";
+    }
+}

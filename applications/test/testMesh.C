@@ -211,7 +211,7 @@ Foam::dictionary Foam::testMesh::patchEntry(const direction side) const
     dictionary dict;
     dict.add("type", box_.patches[side]);
 
-    if (box_.patches[side] == "cyclic")
+    if (box_.patches[side].find("cyclic") == 0)
     {
         const direction opposite = side%2 ? side - 1 : side + 1;
         vector separation(Zero);

@@ -4,7 +4,9 @@
 
 #include "hydrostatics.H"
 
-#include "coupledPolyPatch.H"
+#include "cyclicAMIPolyPatch.H"
+#include "cyclicPolyPatch.H"
+#include "processorCyclicPolyPatch.H"
 #include "volFields.H"
 
 namespace
@@ -12,8 +14,18 @@ namespace
 
 using namespace Foam;
 
-//- Below it a component is rounding of the mesh's points [-]
+//- Share of gravity that is rounding [-]
 const scalar rounding = 1e-6;
+
+//- How far the two sides of a cyclic patch may miss each other, as a share of the
+//  size of a face: some times OpenFOAM's matchTolerance
+const scalar mismatch = 1e-3;
+
+
+scalar faceSize(const fvPatch& patch)
+{
+    return std::sqrt(max(patch.magSf()));
+}
 
 
 volVectorField cellCentres(const fvMesh& mesh)
@@ -39,6 +51,37 @@ volVectorField cellCentres(const fvMesh& mesh)
 }
 
 
+//- From a face of a patch to its image [m], the mean of all; none where the patch
+//  joins neighbours, or is no plane one that repeats the mesh
+vector stepOf(const fvPatchVectorField& centres)
+{
+    const fvPatch& patch = centres.patch();
+    const auto* cyclic = isA<cyclicPolyPatch>(patch.patch());
+    const auto* cut = isA<processorCyclicPolyPatch>(patch.patch());
+
+    const bool repeats =
+        patch.size()
+     && ((cyclic && cyclic->parallel()) || (cut && cut->parallel()));
+
+    if (!repeats)
+    {
+        return Zero;
+    }
+
+    const vectorField delta(patch.delta());
+    const vector step
+    (
+        average
+        (
+            centres.patchNeighbourField() - centres.patchInternalField() - delta
+        )
+    );
+
+    // A mesh that repeats itself does so after a cell at least
+    return mag(step) > 0.5*mag(average(delta)) ? step : vector(Zero);
+}
+
+
 //- Unless the density differs between cells by more than a thousandth
 bool uniform(const scalarField& rho)
 {
@@ -57,41 +100,25 @@ Foam::vector Foam::hydrostatics::periodicPart
 )
 {
     const volVectorField centres(cellCentres(mesh));
-    const scalar length = mesh.bounds().mag();
     vector rest(g);
 
     for (direction k = 0; k < 3; ++k)
     {
-        // The step from a cell to its image that has most of what is left of g:
-        // none where a patch joins neighbours
+        // The step from a cell to its image that has most of what is left of g
         vector step(Zero);
 
         for (const fvPatchVectorField& patch : centres.boundaryField())
         {
-            const auto* coupled =
-                isA<coupledPolyPatch>(patch.patch().patch());
+            const vector s(stepOf(patch));
+            const scalar along = mag(rest & s)/(mag(s) + VSMALL);
 
-            if (!coupled || !coupled->parallel())
-            {
-                continue;
-            }
-
-            const vectorField steps
+            if
             (
-                patch.patchNeighbourField() - patch.patchInternalField()
-              - patch.patch().delta()
-            );
-
-            for (const vector& s : steps)
+                along > mag(rest & step)/(mag(step) + VSMALL)
+             && along*mag(s) > mismatch*faceSize(patch.patch())*mag(g)
+            )
             {
-                if
-                (
-                    mag(s) > rounding*length
-                 && mag(rest & s)/mag(s) > mag(rest & step)/(mag(step) + VSMALL)
-                )
-                {
-                    step = s;
-                }
+                step = s;
             }
         }
 
@@ -120,6 +147,7 @@ void Foam::hydrostatics::checkContinuous(const fvMesh& mesh) const
         const fvPatch& patch = mesh.boundary()[patchi];
         const fvPatchScalarField& onPatch = potential.boundaryField()[patchi];
         scalar jump = 0;
+        scalar allowed = 0;
 
         if (patch.coupled() && patch.size())
         {
@@ -131,9 +159,14 @@ void Foam::hydrostatics::checkContinuous(const fvMesh& mesh) const
                   - (normal_ & patch.delta())
                 )
             );
+
+            // Faces that only overlap see a mean of those beyond
+            allowed =
+                mag(normal_)*faceSize(patch)
+               *(isA<cyclicAMIPolyPatch>(patch.patch()) ? 1 : mismatch);
         }
 
-        if (jump > rounding*mag(normal_)*mesh.bounds().mag())
+        if (jump > allowed)
         {
             FatalErrorInFunction
                 << "Patch " << patch.name() << " of type " << patch.type()

@@ -61,16 +61,19 @@ void Foam::checkReconstruction(const fvMesh& mesh)
     }
 
     label n = 0;
-    point where(-GREAT, -GREAT, -GREAT);
+    label first = Pstream::nProcs();
+    point where(Zero);
     forAll(error, cell)
     {
         n += error[cell] > allowed;
         if (error[cell] == worst)
         {
             where = mesh.C()[cell];
+            first = Pstream::myProcNo();
         }
     }
-    reduce(where, maxOp<point>());
+    where *= (returnReduce(first, minOp<label>()) == Pstream::myProcNo());
+    reduce(where, sumOp<point>());
     reduce(n, sumOp<label>());
 
     FatalErrorInFunction

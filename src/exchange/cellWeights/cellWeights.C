@@ -147,6 +147,8 @@ void Foam::cellWeights::finish()
 {
     if (Pstream::parRun())
     {
+        // A model brings walkers or spheres: insert() moves the entries that
+        // follow() has noted
         DynamicList<arrival> arrivals(follow());
         insert(followSpheres(), arrivals);
         numberSlots(arrivals);

@@ -11,6 +11,13 @@ namespace
 {
     using namespace Foam;
 
+    //- Distance of the farthest corner of the mesh from its own or from the
+    //  origin: rounding of places is a share of it [m]
+    scalar reach(const boundBox& box)
+    {
+        return max(box.mag(), max(mag(box.min()), mag(box.max())));
+    }
+
     //- True if the corner after each edge turns the same way about the normal
     bool convex
     (
@@ -46,11 +53,11 @@ Foam::sphereOverlap::sphereOverlap(const meshWalker& walker)
     whole_(mesh_.nFaces()),
     endless_(false, false, false),
     anyEndless_(false),
-    aside_(2e-14*mesh_.bounds().mag()*vector(0.366, 0.477, 0.799))
+    aside_(2e-14*reach(mesh_.bounds())*vector(0.366, 0.477, 0.799))
 {
     // Ten times nearer to flat than centres are moved aside: edges and plane of
     // a face must agree on which side a centre lies
-    const scalar flat = 2e-15*mesh_.bounds().mag();
+    const scalar flat = 2e-15*reach(mesh_.bounds());
 
     forAll(mesh_.cells(), cell)
     {

@@ -42,6 +42,9 @@ void Foam::keptSeries::keep(const word& name, sampleSeries& series)
 
 bool Foam::keptSeries::writeData(Ostream& os) const
 {
+    // Every digit, so that a run that goes on has the same series; numbers become
+    // text where they are added
+    const unsigned int digits = IOstream::defaultPrecision(17);
     dictionary all;
 
     forAllConstIters(series_, iter)
@@ -52,10 +55,10 @@ bool Foam::keptSeries::writeData(Ostream& os) const
         all.add(iter.key(), one);
     }
 
-    // Every digit, so that a run that goes on has the same series
-    const int precision = os.precision(16);
+    const int precision = os.precision(17);
     all.write(os, false);
     os.precision(precision);
+    IOstream::defaultPrecision(digits);
 
     return os.good();
 }

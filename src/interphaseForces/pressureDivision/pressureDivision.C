@@ -87,51 +87,6 @@ Foam::pressureDivision::pressureDivision(const fvMesh& mesh)
 }
 
 
-template<class ToOwner, class ToNeighbour>
-void Foam::pressureDivision::eachFace
-(
-    const surfaceScalarField& net,
-    const ToOwner& toOwner,
-    const ToNeighbour& toNeighbour
-) const
-{
-    forAll(mesh_.owner(), f)
-    {
-        const label own = mesh_.owner()[f];
-        const label other = mesh_.neighbour()[f];
-        const vector n(mesh_.Sf()[f]/mesh_.magSf()[f]);
-        const vector force(net[f]*((B_[own] + B_[other]) & n));
-
-        toOwner(own, weight_[f]*force);
-        toNeighbour(other, (1 - weight_[f])*force);
-    }
-
-    for (const fvPatch& patch : mesh_.boundary())
-    {
-        const label at = patch.index();
-        const symmTensorField behind
-        (
-            patch.coupled()
-          ? B_.boundaryField()[at].patchNeighbourField()
-          : tmp<symmTensorField>(new symmTensorField(patch.size(), Zero))
-        );
-
-        forAll(patch, i)
-        {
-            const label own = patch.faceCells()[i];
-            const vector n(patch.Sf()[i]/patch.magSf()[i]);
-
-            toOwner
-            (
-                own,
-                weight_.boundaryField()[at][i]*net.boundaryField()[at][i]
-               *((B_[own] + behind[i]) & n)
-            );
-        }
-    }
-}
-
-
 Foam::tmp<Foam::surfaceScalarField> Foam::pressureDivision::atFaces
 (
     const volScalarField& share
@@ -176,25 +131,38 @@ Foam::vectorField Foam::pressureDivision::atCells
 ) const
 {
     vectorField cells(mesh_.nCells(), Zero);
-    const auto add = [&](const label cell, const vector& force)
+
+    forAll(mesh_.owner(), f)
     {
-        cells[cell] += force;
-    };
-    eachFace(net, add, add);
+        const label own = mesh_.owner()[f];
+        const label other = mesh_.neighbour()[f];
+        const vector n(mesh_.Sf()[f]/mesh_.magSf()[f]);
+        const vector force(net[f]*((B_[own] + B_[other]) & n));
+
+        cells[own] += weight_[f]*force;
+        cells[other] += (1 - weight_[f])*force;
+    }
+
+    for (const fvPatch& patch : mesh_.boundary())
+    {
+        const label at = patch.index();
+        const symmTensorField behind
+        (
+            patch.coupled()
+          ? B_.boundaryField()[at].patchNeighbourField()
+          : tmp<symmTensorField>(new symmTensorField(patch.size(), Zero))
+        );
+
+        forAll(patch, i)
+        {
+            const label own = patch.faceCells()[i];
+            const vector n(patch.Sf()[i]/patch.magSf()[i]);
+
+            cells[own] +=
+                weight_.boundaryField()[at][i]*net.boundaryField()[at][i]
+               *((B_[own] + behind[i]) & n);
+        }
+    }
 
     return cells/mesh_.V().field();
-}
-
-
-Foam::vector Foam::pressureDivision::total(const surfaceScalarField& net) const
-{
-    vector sum(Zero);
-    const auto add = [&](label, const vector& force)
-    {
-        sum += force;
-    };
-    eachFace(net, add, add);
-    reduce(sum, sumOp<vector>());
-
-    return sum;
 }
