@@ -167,9 +167,6 @@ function compareAsVoidFraction(q,    i, x, y, off)
         sprintf("%.3f", rankCorrelation(x, y, nDone)), "", "")
 }
 
-# The paper correlates the Fr that it prints, which is not that of Eq 12
-function paperColumn(name) { return name (name == "Fr" ? "Printed" : "Paper") }
-
 function correlations(    n, name, i, k, x, y, xp, yp, ours, paper, wanted)
 {
     n = split("Fr D M V H L Lc", name, " ")
@@ -179,7 +176,7 @@ function correlations(    n, name, i, k, x, y, xp, yp, ours, paper, wanted)
         for (k = 1; k <= n; k++)
         {
             take(name[i], x); take(name[k], y)
-            take(paperColumn(name[i]), xp); take(paperColumn(name[k]), yp)
+            take(name[i] "Paper", xp); take(name[k] "Paper", yp)
             ours = correlation(x, y, nDone)
             paper = correlation(xp, yp, nDone)
             printf "%s,%s,%.3f,%.3f,%.3f\n", name[i], name[k], ours, paper, \

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The paper's results beside ours, a line for each run. A number of the paper's
-# table that follows from others is computed from them: Fr of Eq 12 and E of
-# Eq 15 from its M, U and h; its own Fr column, which does not agree with Eq 12,
-# and E with it are shown as printed. Differences are in % of the paper's value.
-# L is the eroded length beyond x = 0.6 m, LFromWall reaches from x = 0 to the end
+# table that follows from others is computed from them, U with D and M exchanged (see
+# misprint.awk): Fr of Eq 12 and E of Eq 15 from its M, U and h. Its own Fr column and E
+# with it, its U and Fr with that are shown as printed. Differences are in % of the
+# paper's value. L is the eroded length beyond x = 0.6 m, LFromWall reaches from x = 0 to the end
 # of the scar; both are compared with the paper's L, see README.md.
 #
 #   awk -v suffix=-slice -v states=FILE -f table.awk paper.csv rows...
@@ -42,8 +42,11 @@ isPaper {
     for (i = 2; i <= NF; i++) paper[$1, name[i]] = $i
     split($1, part, /[DMV]/)
     D[$1] = part[2]/100; M[$1] = part[3]; V[$1] = part[4]/100
-    printed[$1] = $2
-    Fr = paper[$1, "U"]/sqrt(g*paper[$1, "h"]*cosSlope)
+    printed[$1] = paper[$1, "Fr"]
+    root = sqrt(g*paper[$1, "h"]*cosSlope)
+    ours[$1, "UPrinted"] = paper[$1, "UPrinted"]
+    ours[$1, "FrAsPrinted"] = sprintf("%.4g", paper[$1, "UPrinted"]/root)
+    Fr = paper[$1, "U"]/root
     paper[$1, "Fr"] = Fr
     paper[$1, "E"] = M[$1]*g*paper[$1, "h"]*(1 + Fr*Fr/2)
     next
@@ -73,7 +76,8 @@ END {
         printf ",%s,%sPaper,%sDifference", column[c], column[c], column[c]
     nMore = split("Fc bouncing creeping netStart netEnd peakTime hash code " \
         "LFromWall LFromWallDifference tBegin tEnd stationary Ubouncing Ucreeping " \
-        "LcFarthest LcFarthestDifference Utip UtipDifference Upassing UpassingDifference hPassing", more, " ")
+        "LcFarthest LcFarthestDifference Utip UtipDifference Upassing UpassingDifference hPassing " \
+        "UPrinted FrAsPrinted", more, " ")
     for (i = 1; i <= nMore; i++) printf ",%s", more[i]
     print ""
 
