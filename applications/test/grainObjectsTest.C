@@ -333,10 +333,30 @@ TEST_F(tank, whatIsKeptForARestartIsGatheredWhereATimeIsWrittenNotAtEachLook)
     }
     EXPECT_LE(state().size(), before + 20);
 
-    OStringStream written;
-    box_.time().lookupObject<regIOobject>("frontSeries").writeData(written);
-    IStringStream text(written.str());
-    const dictionary kept(text);
+    // In a case that writes binary files too
+    const auto& series = box_.time().lookupObject<regIOobject>("frontSeries");
+    ASSERT_TRUE
+    (
+        compatibility::writeObject
+        (
+            series,
+            IOstream::BINARY,
+            IOstream::UNCOMPRESSED
+        )
+    );
+    const IOdictionary kept
+    (
+        IOobject
+        (
+            "frontSeries",
+            box_.time().timeName(),
+            "uniform/functionObjects",
+            box_.time(),
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
 
     EXPECT_EQ(kept.subDict("position").get<scalarList>("times"), times);
     EXPECT_EQ(kept.subDict("depth").get<scalarList>("values").size(), 52);

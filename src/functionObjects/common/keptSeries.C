@@ -12,7 +12,7 @@ Foam::keptSeries::keptSeries
     const bool read
 )
 :
-    IOdictionary
+    compatibility::textDictionary
     (
         IOobject
         (
