@@ -48,39 +48,43 @@ Foam::scalarField errors(const Foam::fvMesh& mesh)
 } // End anonymous namespace
 
 
+Foam::reconstructionError Foam::reconstructionErrorOf(const fvMesh& mesh)
+{
+    const scalarField error(errors(mesh));
+    reconstructionError result{0, gMax(error), point(Zero)};
+
+    label first = Pstream::nProcs();
+    forAll(error, cell)
+    {
+        result.nCells += error[cell] > reconstructionError::allowed;
+        if (error[cell] == result.largest)
+        {
+            result.at = mesh.C()[cell];
+            first = Pstream::myProcNo();
+        }
+    }
+    result.at *= (returnReduce(first, minOp<label>()) == Pstream::myProcNo());
+    reduce(result.at, sumOp<point>());
+    reduce(result.nCells, sumOp<label>());
+
+    return result;
+}
+
+
 void Foam::checkReconstruction(const fvMesh& mesh)
 {
-    const scalar allowed = 1e-10;
+    const reconstructionError error(reconstructionErrorOf(mesh));
 
-    const scalarField error(errors(mesh));
-    const scalar worst = gMax(error);
-
-    if (worst <= allowed)
+    if (!error.nCells)
     {
         return;
     }
 
-    label n = 0;
-    label first = Pstream::nProcs();
-    point where(Zero);
-    forAll(error, cell)
-    {
-        n += error[cell] > allowed;
-        if (error[cell] == worst)
-        {
-            where = mesh.C()[cell];
-            first = Pstream::myProcNo();
-        }
-    }
-    where *= (returnReduce(first, minOp<label>()) == Pstream::myProcNo());
-    reduce(where, sumOp<point>());
-    reduce(n, sumOp<label>());
-
     FatalErrorInFunction
         << "A uniform velocity does not come back from its flux"
-        << " (fvc::reconstruct): in " << n << " cells it is off by more than "
-        << allowed << " of it, most by " << worst << " at " << where << " m."
-        << nl
+        << " (fvc::reconstruct): in " << error.nCells << " cells it is off by more"
+        << " than " << reconstructionError::allowed << " of it, most by "
+        << error.largest << " at " << error.at << " m." << nl
         << "    Either these cells are all but flat: see what checkMesh says of"
         << " them. Or the products of fields of this OpenFOAM are wrong, as"
         << " those of Debian's v1912 are, and all that is computed from"
