@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The material-point method: bodies, limits of the step, and its order.
+
+#include "materialPointMethod.H"
+
+#include "PstreamReduceOps.H"
+#include "Switch.H"
+#include "keywords.H"
+#include "pointRegion.H"
+
+const Foam::wordList Foam::materialPointMethod::keywordsOfDict
+({
+    "cellSize", "pointsPerCell", "transfer", "averaging", "courant", "bodies"
+});
+
+
+namespace
+{
+    using namespace Foam;
+
+    //- Steps between two sortings: few points leave their cell in that time
+    constexpr label sortInterval = 50;
+
+    //- Share of the change of velocity, 0 where it is APIC
+    scalar flipShare(const dictionary& dict)
+    {
+        const dictionary transfer
+        (
+            keywords::sub(dict, "transfer", {"model", "share"})
+        );
+        const word model
+        (
+            keywords::choice
+            (
+                transfer, "model", "transfer", {"APIC", "FLIP"}, "APIC"
+            )
+        );
+        const scalar share = transfer.getOrDefault<scalar>("share", 0.98);
+
+        if (!(share > 0 && share <= 1))
+        {
+            FatalIOErrorInFunction(dict)
+                << "transfer/share is " << share << "; it must lie above 0 and"
+                << " up to 1 (pure FLIP)." << exit(FatalIOError);
+        }
+
+        return model == "APIC" ? 0 : share;
+    }
+}
+
+
+Foam::materialPointMethod::materialPointMethod
+(
+    const pointGrid& grid,
+    const vector& g,
+    const dictionary& dict
+)
+:
+    grid_(grid),
+    walls_(grid_),
+    g_(g),
+    flipShare_(flipShare(dict)),
+    averaging_(dict.getOrDefault<Switch>("averaging", true)),
+    courant_(dict.getOrDefault<scalar>("courant", 0.4)),
+    fastest_(0),
+    sinceSorted_(sortInterval),
+    nodes_(grid_.nNodes()),
+    change_(flipShare_ > 0 ? grid_.nNodes() : 0),
+    cellVolume_(averaging_ ? grid_.nNodes() : 0),
+    cellDilation_(averaging_ ? grid_.nNodes() : 0)
+{
+    if (!(courant_ > 0 && courant_ <= 1))
+    {
+        FatalIOErrorInFunction(dict)
+            << "courant is " << courant_ << "; it must lie above 0 and up to 1"
+            << " (0.3 to 0.5 is usual)." << exit(FatalIOError);
+    }
+}
+
+
+void Foam::materialPointMethod::addBodies
+(
+    const dictionary& dict,
+    const bool withPoints
+)
+{
+    const dictionary& bodies = dict.subDict("bodies");
+    const label perCell = dict.getOrDefault<label>("pointsPerCell", 2);
+
+    if (perCell < 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "pointsPerCell is " << perCell << "; give the number of points"
+            << " of a cell along each direction, 1 or more (usual: 2)."
+            << exit(FatalIOError);
+    }
+
+    for (const entry& body : bodies)
+    {
+        if (!body.isDict())
+        {
+            continue;
+        }
+
+        dictionary law(body.dict());
+        law.remove("region");
+        law.remove("U");
+
+        bodies_.append(body.keyword());
+        laws_.append(constitutiveLaw::New(law).ptr());
+
+        if (withPoints)
+        {
+            place(body.dict(), laws_.size() - 1, perCell);
+        }
+    }
+
+    if (laws_.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "No body in bodies: give a dictionary with law, density, E, nu"
+            << " and region for each." << exit(FatalIOError);
+    }
+}
+
+
+void Foam::materialPointMethod::place
+(
+    const dictionary& dict,
+    const label body,
+    const label perCell
+)
+{
+    const pointRegion region(dict.subDict("region"), grid_);
+    const vector U(dict.getOrDefault<vector>("U", Zero));
+    const boundBox& box = grid_.box();
+    const scalar spacing = grid_.h()/perCell;
+
+    // A slice of plane strain has the thickness of the mesh
+    scalar volume = 1;
+    FixedList<label, 3> n(1);
+    for (direction d = 0; d < 3; ++d)
+    {
+        volume *= box.span()[d];
+    }
+    for (label k = 0; k < grid_.nDims(); ++k)
+    {
+        const scalar span = box.span()[grid_.axes()[k]];
+        n[k] = label(std::ceil(span/spacing - 1e-6));
+        volume *= spacing/span;
+    }
+
+    // All ranks count all points, so that numbers do not depend on their number
+    label id = -1;
+    forAll(points_.id, i)
+    {
+        id = max(id, points_.id[i]);
+    }
+    reduce(id, maxOp<label>());
+    const label before = id;
+
+    for (label i = 0; i < n[0]; ++i)
+    {
+        for (label j = 0; j < n[1]; ++j)
+        {
+            for (label k = 0; k < n[2]; ++k)
+            {
+                const FixedList<label, 3> at({i, j, k});
+                point p(box.midpoint());
+
+                for (label a = 0; a < grid_.nDims(); ++a)
+                {
+                    const direction d = grid_.axes()[a];
+                    p[d] = box.min()[d] + (at[a] + 0.5)*spacing;
+                }
+
+                if (!region.contains(p))
+                {
+                    continue;
+                }
+                ++id;
+
+                const label cell = pointGrid::cell(grid_.coordinate(p, 0));
+                if (grid_.rankOf(cell) == Pstream::myProcNo())
+                {
+                    const label last = points_.size();
+                    points_.resize(last + 1);
+                    points_.id[last] = id;
+                    points_.body[last] = body;
+                    points_.x[last] = p;
+                    points_.U[last] = U;
+                    points_.volume[last] = volume;
+                    points_.mass[last] = volume*laws_[body].density();
+                    fastest_ = max(fastest_, mag(U));
+                }
+            }
+        }
+    }
+
+    if (id == before)
+    {
+        FatalIOErrorInFunction(dict)
+            << "The region of body " << bodies_[body] << " holds no point of the"
+            << " grid in the mesh's box " << box << nl
+            << "    Points are " << spacing << " m apart." << exit(FatalIOError);
+    }
+}
+
+
+Foam::scalar Foam::materialPointMethod::waveSpeed() const
+{
+    scalar c = 0;
+    for (const constitutiveLaw& law : laws_)
+    {
+        c = max(c, law.waveSpeed());
+    }
+    return c;
+}
+
+
+Foam::scalar Foam::materialPointMethod::stableStep() const
+{
+    return
+        courant_*grid_.h()
+       /(waveSpeed() + returnReduce(fastest_, maxOp<scalar>()));
+}
+
+
+void Foam::materialPointMethod::step(const scalar dt, const scalar damping)
+{
+    if (sinceSorted_++ >= sortInterval)
+    {
+        sortPoints();
+        sinceSorted_ = 1;
+    }
+
+    cell_.setSize(points_.size());
+    dilation_.setSize(points_.size());
+
+    if (grid_.nDims() == 2)
+    {
+        transfer<2>(dt, damping);
+    }
+    else
+    {
+        transfer<3>(dt, damping);
+    }
+
+    findDilation(dt);
+
+    forAll(laws_, body)
+    {
+        laws_[body].update(points_, body, dilation_, dt);
+    }
+
+    travel();
+}
+
+
+void Foam::materialPointMethod::findDilation(const scalar dt)
+{
+    pointSet& p = points_;
+
+    forAll(p.x, i)
+    {
+        dilation_[i] = tr(p.gradient[i]);
+    }
+
+    if (averaging_)
+    {
+        cellVolume_ = Zero;
+        cellDilation_ = Zero;
+
+        forAll(p.x, i)
+        {
+            cellVolume_[cell_[i]] += p.volume[i];
+            cellDilation_[cell_[i]] += p.volume[i]*dilation_[i];
+        }
+        forAll(p.x, i)
+        {
+            dilation_[i] = cellDilation_[cell_[i]]/cellVolume_[cell_[i]];
+        }
+    }
+
+    forAll(p.x, i)
+    {
+        p.volume[i] *= 1 + dt*dilation_[i];
+    }
+}
+
+
+void Foam::materialPointMethod::sortPoints()
+{
+    // Counting sort by cells, which keeps the order within one
+    const label n = points_.size();
+    labelList begin(grid_.nNodes() + 1, 0);
+    labelList cells(n);
+
+    forAll(cells, i)
+    {
+        FixedList<label, 3> at(0);
+        for (label k = 0; k < grid_.nDims(); ++k)
+        {
+            at[k] = pointGrid::cell(grid_.coordinate(points_.x[i], k));
+        }
+        cells[i] = grid_.node(at);
+        ++begin[cells[i] + 1];
+    }
+    for (label c = 0; c < grid_.nNodes(); ++c)
+    {
+        begin[c + 1] += begin[c];
+    }
+
+    labelList order(n);
+    forAll(cells, i)
+    {
+        order[begin[cells[i]]++] = i;
+    }
+
+    points_.take(order);
+}
+
+
+Foam::vector Foam::materialPointMethod::momentum() const
+{
+    vector sum(Zero);
+    forAll(points_.x, i)
+    {
+        sum += points_.mass[i]*points_.U[i];
+    }
+    return sum;
+}
+
+
+Foam::vector Foam::materialPointMethod::angularMomentum() const
+{
+    // Of the velocity gradient: with quadratic B-splines the mean square
+    // distance to the nodes is h^2/4 along each axis
+    const scalar inertia = flipShare_ > 0 ? 0 : sqr(grid_.h())/4;
+    vector sum(Zero);
+
+    forAll(points_.x, i)
+    {
+        const tensor& L = points_.gradient[i];
+        const vector spin
+        (
+            L.zy() - L.yz(), L.xz() - L.zx(), L.yx() - L.xy()
+        );
+
+        sum += points_.mass[i]*((points_.x[i]^points_.U[i]) + inertia*spin);
+    }
+
+    return sum;
+}
+
+
+Foam::scalar Foam::materialPointMethod::kineticEnergy() const
+{
+    scalar sum = 0;
+    forAll(points_.x, i)
+    {
+        sum += 0.5*points_.mass[i]*magSqr(points_.U[i]);
+    }
+    return sum;
+}

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The material-point method: from points to nodes and back.
+
+#include "materialPointMethod.H"
+
+Foam::lanes Foam::materialPointMethod::toLanes
+(
+    const scalar first,
+    const vector& v
+) const
+{
+    const FixedList<direction, 3>& a = grid_.axes();
+
+    return lanes
+    (
+        first, v[a[0]], v[a[1]], grid_.nDims() == 3 ? v[a[2]] : 0
+    );
+}
+
+
+Foam::vector Foam::materialPointMethod::toVector(const lanes& l) const
+{
+    vector result(Zero);
+    for (label k = 0; k < grid_.nDims(); ++k)
+    {
+        result[grid_.axes()[k]] = l[k + 1];
+    }
+    return result;
+}
+
+
+template<int D>
+void Foam::materialPointMethod::momentumToNodes(const scalar dt)
+{
+    const bool APIC = flipShare_ == 0;
+    const scalar h = grid_.h();
+    const pointSet& p = points_;
+
+    std::fill(nodes_.begin(), nodes_.end(), lanes(lanes::Zero()));
+
+    forAll(p.x, i)
+    {
+        lanes slope[D];
+
+        for (int k = 0; k < D; ++k)
+        {
+            const direction d = grid_.axes()[k];
+            slope[k] = lanes::Zero();
+
+            if (APIC)
+            {
+                const tensor A
+                (
+                    (h*p.mass[i])*p.gradient[i]
+                  - (4*dt/h*p.volume[i])*tensor(p.stress[i])
+                );
+                slope[k] = toLanes(0, vector(A[d], A[3 + d], A[6 + d]));
+            }
+        }
+
+        vector momentum(p.mass[i]*p.U[i]);
+        if (APIC)
+        {
+            momentum += dt*p.force[i];
+        }
+
+        splineStencil<D>(grid_, p.x[i]).add
+        (
+            nodes_, toLanes(p.mass[i], momentum), slope
+        );
+    }
+
+    share(nodes_);
+}
+
+
+template<int D>
+void Foam::materialPointMethod::forceToNodes(const scalar dt)
+{
+    const scalar h = grid_.h();
+    const pointSet& p = points_;
+
+    std::fill(change_.begin(), change_.end(), lanes(lanes::Zero()));
+
+    forAll(p.x, i)
+    {
+        lanes slope[D];
+        const tensor A((-4*dt/h*p.volume[i])*tensor(p.stress[i]));
+
+        for (int k = 0; k < D; ++k)
+        {
+            const direction d = grid_.axes()[k];
+            slope[k] = toLanes(0, vector(A[d], A[3 + d], A[6 + d]));
+        }
+
+        splineStencil<D>(grid_, p.x[i]).add
+        (
+            change_, toLanes(0, dt*p.force[i]), slope
+        );
+    }
+
+    share(change_);
+}
+
+
+void Foam::materialPointMethod::moveNodes
+(
+    const scalar dt,
+    const scalar damping
+)
+{
+    const lanes fall(toLanes(0, dt*g_));
+    const scalar kept = max(1 - damping*dt, scalar(0));
+    const bool FLIP = flipShare_ > 0;
+
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+    {
+        lanes& node = nodes_[i];
+        const scalar m = node[0];
+
+        if (m <= 0)
+        {
+            continue;
+        }
+
+        node /= m;
+        if (FLIP)
+        {
+            const lanes before(node);
+            node += change_[i]/m;
+            change_[i] = before;
+        }
+        node = kept*(node + fall);
+        node[0] = m;
+    }
+
+    walls_.apply(nodes_, true);
+
+    for (std::size_t i = 0; i < change_.size(); ++i)
+    {
+        change_[i] = nodes_[i] - change_[i];
+    }
+}
+
+
+template<int D>
+void Foam::materialPointMethod::setGradient
+(
+    const label i,
+    const lanes* moment
+)
+{
+    const scalar factor = 4/grid_.h();
+    tensor& L = points_.gradient[i];
+    L = Zero;
+
+    for (int c = 0; c < D; ++c)
+    {
+        for (int r = 0; r < D; ++r)
+        {
+            L[3*grid_.axes()[r] + grid_.axes()[c]] = factor*moment[c][r + 1];
+        }
+    }
+}
+
+
+template<int D>
+void Foam::materialPointMethod::velocityToPoints(const scalar dt)
+{
+    pointSet& p = points_;
+    scalar fastest = 0;
+
+    forAll(p.x, i)
+    {
+        const splineStencil<D> stencil(grid_, p.x[i]);
+        lanes moment[D];
+        p.U[i] = toVector(stencil.mean(nodes_, moment));
+        setGradient<D>(i, moment);
+
+        cell_[i] = stencil.cell();
+        p.x[i] += dt*p.U[i];
+        fastest = max(fastest, magSqr(p.U[i]));
+    }
+
+    fastest_ = sqrt(fastest);
+}
+
+
+template<int D>
+void Foam::materialPointMethod::changeToPoints(const scalar dt)
+{
+    pointSet& p = points_;
+    goesTo_.setSize(p.size());
+
+    forAll(p.x, i)
+    {
+        const splineStencil<D> stencil(grid_, p.x[i]);
+        const vector U(toVector(stencil.mean(nodes_)));
+        const vector change(toVector(stencil.mean(change_)));
+
+        p.U[i] = flipShare_*(p.U[i] + change) + (1 - flipShare_)*U;
+        goesTo_[i] = p.x[i] + dt*U;
+    }
+}
+
+
+template<int D>
+void Foam::materialPointMethod::gradientToPoints()
+{
+    pointSet& p = points_;
+    scalar fastest = 0;
+
+    forAll(p.x, i)
+    {
+        const splineStencil<D> stencil(grid_, p.x[i]);
+        lanes moment[D];
+        stencil.mean(nodes_, moment);
+        setGradient<D>(i, moment);
+
+        cell_[i] = stencil.cell();
+        p.x[i] = goesTo_[i];
+        fastest = max(fastest, magSqr(p.U[i]));
+    }
+
+    fastest_ = sqrt(fastest);
+}
+
+
+template<int D>
+void Foam::materialPointMethod::transfer
+(
+    const scalar dt,
+    const scalar damping
+)
+{
+    momentumToNodes<D>(dt);
+
+    if (flipShare_ == 0)
+    {
+        moveNodes(dt, damping);
+        velocityToPoints<D>(dt);
+        return;
+    }
+
+    forceToNodes<D>(dt);
+    moveNodes(dt, damping);
+    changeToPoints<D>(dt);
+
+    // Second mapping: the gradient is that of what the points now carry
+    momentumToNodes<D>(dt);
+    for (lanes& node : nodes_)
+    {
+        const scalar m = node[0];
+        node = m > 0 ? lanes(node/m) : lanes(lanes::Zero());
+        node[0] = m;
+    }
+    walls_.apply(nodes_, false);
+    gradientToPoints<D>();
+}
+
+
+template void Foam::materialPointMethod::transfer<2>(const scalar, const scalar);
+template void Foam::materialPointMethod::transfer<3>(const scalar, const scalar);
