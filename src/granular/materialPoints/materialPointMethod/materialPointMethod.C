@@ -234,16 +234,21 @@ void Foam::materialPointMethod::step(const scalar dt, const scalar damping)
         sinceSorted_ = 1;
     }
 
+    if (damping > 0)
+    {
+        damp(dt, damping);
+    }
+
     cell_.setSize(points_.size());
     dilation_.setSize(points_.size());
 
     if (grid_.nDims() == 2)
     {
-        transfer<2>(dt, damping);
+        transfer<2>(dt);
     }
     else
     {
-        transfer<3>(dt, damping);
+        transfer<3>(dt);
     }
 
     findDilation(dt);
@@ -254,6 +259,18 @@ void Foam::materialPointMethod::step(const scalar dt, const scalar damping)
     }
 
     travel();
+}
+
+
+void Foam::materialPointMethod::damp(const scalar dt, const scalar damping)
+{
+    const scalar kept = max(1 - damping*dt, scalar(0));
+
+    forAll(points_.x, i)
+    {
+        points_.U[i] *= kept;
+        points_.gradient[i] *= kept;
+    }
 }
 
 

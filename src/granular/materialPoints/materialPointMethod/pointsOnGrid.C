@@ -103,14 +103,9 @@ void Foam::materialPointMethod::forceToNodes(const scalar dt)
 }
 
 
-void Foam::materialPointMethod::moveNodes
-(
-    const scalar dt,
-    const scalar damping
-)
+void Foam::materialPointMethod::moveNodes(const scalar dt)
 {
     const lanes fall(toLanes(0, dt*g_));
-    const scalar kept = max(1 - damping*dt, scalar(0));
     const bool FLIP = flipShare_ > 0;
 
     for (std::size_t i = 0; i < nodes_.size(); ++i)
@@ -130,7 +125,7 @@ void Foam::materialPointMethod::moveNodes
             node += change_[i]/m;
             change_[i] = before;
         }
-        node = kept*(node + fall);
+        node += fall;
         node[0] = m;
     }
 
@@ -227,23 +222,19 @@ void Foam::materialPointMethod::gradientToPoints()
 
 
 template<int D>
-void Foam::materialPointMethod::transfer
-(
-    const scalar dt,
-    const scalar damping
-)
+void Foam::materialPointMethod::transfer(const scalar dt)
 {
     momentumToNodes<D>(dt);
 
     if (flipShare_ == 0)
     {
-        moveNodes(dt, damping);
+        moveNodes(dt);
         velocityToPoints<D>(dt);
         return;
     }
 
     forceToNodes<D>(dt);
-    moveNodes(dt, damping);
+    moveNodes(dt);
     changeToPoints<D>(dt);
 
     // Second mapping: the gradient is that of what the points now carry
@@ -259,5 +250,5 @@ void Foam::materialPointMethod::transfer
 }
 
 
-template void Foam::materialPointMethod::transfer<2>(const scalar, const scalar);
-template void Foam::materialPointMethod::transfer<3>(const scalar, const scalar);
+template void Foam::materialPointMethod::transfer<2>(const scalar);
+template void Foam::materialPointMethod::transfer<3>(const scalar);
