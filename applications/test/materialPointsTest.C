@@ -377,3 +377,124 @@ TEST(materialPoints, aPointBeyondTheGridIsNamed)
         EXPECT_NE(said.find("of body body is beyond"), std::string::npos);
     }
 }
+
+
+namespace
+{
+
+//- A small column that collapses in a box
+autoPtr<boxOfPoints> smallCollapse
+(
+    const bool cut,
+    const bool repeats,
+    const bool solid,
+    const string& transfer
+)
+{
+    pointBox box;
+    box.length = 0.8;
+    box.height = 0.4;
+    box.h = 0.04;
+    box.base = 0.5;
+    box.cut = cut;
+    box.repeats = repeats;
+    box.solid = solid;
+    box.width = solid ? 0.16 : 0.1;
+
+    autoPtr<boxOfPoints> column
+    (
+        new boxOfPoints
+        (
+            box,
+            vector(2, 0, -9.81),
+            body(sand, "((0 0 0) (0.2 1 0.3))", transfer)
+        )
+    );
+    column->run(solid ? 0.15 : 0.4);
+    return column;
+}
+
+
+//- What many ranks compute is what each computes alone, to a rounding that
+//  has grown for some hundred steps
+void expectAsAlone
+(
+    const bool repeats,
+    const bool solid,
+    const string& transfer = ""
+)
+{
+    auto together = smallCollapse(true, repeats, solid, transfer);
+    auto alone = smallCollapse(false, repeats, solid, transfer);
+    const pointSet& p = together->points();
+    const pointSet& all = alone->points();
+
+    EXPECT_EQ(returnReduce(p.size(), sumOp<label>()), all.size());
+
+    labelList where(all.size());
+    forAll(all.id, i)
+    {
+        where[all.id[i]] = i;
+    }
+
+    scalar apart = 0;
+    scalar stress = 0;
+    label crossed = 0;
+    const label slab =
+        together->grid().first() > 0 ? together->grid().first() : -1;
+
+    forAll(p.id, i)
+    {
+        const label j = where[p.id[i]];
+        apart = max(apart, mag(p.x[i] - all.x[j]));
+        stress = max(stress, mag(p.stress[i] - all.stress[j]));
+
+        // The column began in the lowest part of the box
+        crossed += slab > 0 && p.x[i].x() > 0.2;
+    }
+    testNumber
+    (
+        "largest distance from the same point on one rank [m]",
+        returnReduce(apart, maxOp<scalar>())
+    );
+    EXPECT_LT(apart, 1e-8);
+    EXPECT_LT(stress, 1e-2);
+    EXPECT_GT(returnReduce(crossed, sumOp<label>()), 0);
+
+    // The impulse of each wall is counted once
+    for (label wall = 0; wall < together->walls().names().size(); ++wall)
+    {
+        vector impulse(together->walls().impulse()[wall]);
+        reduce(impulse, sumOp<vector>());
+        EXPECT_NEAR
+        (
+            mag(impulse - alone->walls().impulse()[wall]), 0, 1e-6
+        );
+    }
+}
+
+} // End anonymous namespace
+
+
+TEST(ParallelMaterialPoints, aCollapseIsTheSameOnAnyNumberOfRanks)
+{
+    expectAsAlone(false, false);
+}
+
+
+TEST(ParallelMaterialPoints, aCollapseInABoxThatRepeatsIsTheSame)
+{
+    expectAsAlone(true, false);
+}
+
+
+TEST(ParallelMaterialPoints, aCollapseByFLIPIsTheSame)
+{
+    expectAsAlone(false, false, "transfer { model FLIP; }");
+}
+
+
+TEST(ParallelMaterialPoints, aCollapseInThreeDimensionsIsTheSame)
+{
+    expectAsAlone(false, true);
+}
