@@ -174,8 +174,11 @@ void Foam::materialPointMethod::travel()
         points_.take(staying);
     }
 
-    for (const List<char>& arrived : swapLists(toRanks))
+    if (grid_.cut())
     {
-        points_.unpack(arrived);
+        for (const List<char>& arrived : swapLists(toRanks))
+        {
+            points_.unpack(arrived);
+        }
     }
 }
