@@ -239,25 +239,25 @@ void Foam::functionObjects::basalStress::fluidForce
     for (const label patchi : patches_)
     {
         const fvPatch& patch = mesh_.boundary()[patchi];
-        const scalarField mu
+        const fluidOnPatch force
         (
-            wallViscosity(alpha(), nut.valid() ? &nut() : nullptr, patchi)
+            p(),
+            U(),
+            alpha(),
+            epsilon(),
+            nut.valid() ? &nut() : nullptr,
+            patchi
         );
-        const vectorField shear
-        (
-            epsilon().boundaryField()[patchi]*wallShear(U(), mu, patchi)
-        );
-        const scalarField& pw = p().boundaryField()[patchi];
 
         forAll(patch, face)
         {
             addFace
             (
-                pressure, patch.patch(), face, pw[face]*patch.Sf()[face]
+                pressure, patch.patch(), face, force.pressure[face]
             );
             addFace
             (
-                viscous, patch.patch(), face, shear[face]*patch.magSf()[face]
+                viscous, patch.patch(), face, force.viscous[face]
             );
         }
     }

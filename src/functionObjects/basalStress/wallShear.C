@@ -108,3 +108,26 @@ Foam::tmp<Foam::vectorField> Foam::wallShear
 
     return -viscosity*(gradient - n*(n & gradient));
 }
+
+
+Foam::fluidOnPatch::fluidOnPatch
+(
+    const volScalarField& p,
+    const volVectorField& U,
+    const volScalarField& alpha,
+    const volScalarField& voidFraction,
+    const volScalarField* nut,
+    const label patchi
+)
+:
+    pressure
+    (
+        p.boundaryField()[patchi]*p.mesh().boundary()[patchi].Sf()
+    ),
+    viscous
+    (
+        voidFraction.boundaryField()[patchi]
+       *wallShear(U, wallViscosity(alpha, nut, patchi)(), patchi)
+       *p.mesh().boundary()[patchi].magSf()
+    )
+{}

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mean stress among the grains in spheres and boxes.
+// Mean stress among the grains in spheres, circles and boxes.
 
 #include "grainStress.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "keywords.H"
 #include "mathematicalConstants.H"
+#include "movingLayer.H"
 #include "periodicity.H"
 #include "sphereParts.H"
+#include "symmTransform.H"
 
 namespace Foam
 {
@@ -16,6 +19,8 @@ namespace functionObjects
     addToRunTimeSelectionTable(functionObject, grainStress, dictionary);
 }
 }
+
+using Foam::constant::mathematical::pi;
 
 
 Foam::functionObjects::grainStress::grainStress
@@ -32,31 +37,38 @@ Foam::functionObjects::grainStress::grainStress
 
     if (writes())
     {
-        wordList columns;
-
-        for (label i = 0; i < nRegions(); ++i)
-        {
-            for
-            (
-                const char* what
-              : {
-                    "n", "solidFraction", "xx", "xy", "xz", "yy", "yz", "zz",
-                    "p", "q"
-                }
-            )
-            {
-                columns.append(word(Foam::name(i) + ":" + what));
-            }
-        }
-
-        writeColumns
-        (
-            file(),
-            "Mean stress of the grains in Pa, tension positive; p mean"
-            " pressure, q deviator. Regions: first spheres, then boxes",
-            columns
-        );
+        writeHeaders();
     }
+}
+
+
+void Foam::functionObjects::grainStress::writeHeaders()
+{
+    wordList names
+    ({
+        "n", "solidFraction", "xx", "xy", "xz", "yy", "yz", "zz", "p", "q"
+    });
+    if (follow_)
+    {
+        names.append("surface");
+    }
+
+    wordList columns;
+    for (label i = 0; i < nRegions(); ++i)
+    {
+        for (const word& what : names)
+        {
+            columns.append(word(Foam::name(i) + ":" + what));
+        }
+    }
+
+    writeColumns
+    (
+        file(),
+        "Mean stress of the grains in Pa, tension positive; p mean pressure, q"
+        " deviator. Regions: first spheres, then circles, then boxes",
+        columns
+    );
 }
 
 
@@ -67,20 +79,29 @@ bool Foam::functionObjects::grainStress::read(const dictionary& dict)
     (
         dict,
         {
-            "types", "kinetic", "spheres", "boxes"
+            "types", "kinetic", "spheres", "circles", "boxes", "axes",
+            "follow", "speed"
         }
     );
 
     types_ = labelHashSet(dict.lookupOrDefault("types", labelList()));
     kinetic_ = dict.lookupOrDefault("kinetic", false);
-    spheres_ = dict.lookupOrDefault("spheres", List<Tuple2<point, scalar>>());
+    turned_ =
+        keywords::choice(dict, "axes", "axes", {"mesh", "flume"}, "mesh")
+     == "flume";
+    follow_ =
+        keywords::choice(dict, "follow", "follow", {"none", "surface"}, "none")
+     == "surface";
+    speed_ = dict.lookupOrDefault<scalar>("speed", 0.01);
+    spheres_ = dict.lookupOrDefault("spheres", rounds());
+    circles_ = dict.lookupOrDefault("circles", rounds());
     boxes_ = dict.lookupOrDefault("boxes", List<Tuple2<point, point>>());
 
     if (!nRegions())
     {
         FatalIOErrorInFunction(dict)
-            << "No regions. Give spheres ( ((x y z) radius) ... ) or boxes"
-            << " ( ((x y z) (x y z)) ... ), in m." << exit(FatalIOError);
+            << "No regions. Give spheres or circles ( ((x y z) radius) ... ), or"
+            << " boxes ( ((x y z) (x y z)) ... ), in m." << exit(FatalIOError);
     }
 
     for (label i = 0; i < nRegions(); ++i)
@@ -88,13 +109,45 @@ bool Foam::functionObjects::grainStress::read(const dictionary& dict)
         if (volume(i) <= 0)
         {
             FatalIOErrorInFunction(dict)
-                << "Region " << i << " (spheres first, then boxes) has no"
-                << " volume: give a radius above zero, and for a box the lower"
-                << " corner first." << exit(FatalIOError);
+                << "Region " << i << " (spheres first, then circles, then boxes)"
+                << " has no volume: give a radius above zero, and for a box the"
+                << " lower corner first." << exit(FatalIOError);
         }
     }
 
     return true;
+}
+
+
+bool Foam::functionObjects::grainStress::hasDiscs(const label region) const
+{
+    const label i = region - spheres_.size();
+
+    return i >= 0 && i < circles_.size();
+}
+
+
+Foam::Tuple2<Foam::point, Foam::scalar>
+Foam::functionObjects::grainStress::place(const label region) const
+{
+    if (region < spheres_.size())
+    {
+        return spheres_[region];
+    }
+
+    if (hasDiscs(region))
+    {
+        return circles_[region - spheres_.size()];
+    }
+
+    const Tuple2<point, point>& b =
+        boxes_[region - spheres_.size() - circles_.size()];
+
+    return Tuple2<point, scalar>
+    (
+        0.5*(b.first() + b.second()),
+        0.5*mag((b.second() - b.first()) & frame_.downslope())
+    );
 }
 
 
@@ -107,6 +160,21 @@ Foam::scalar Foam::functionObjects::grainStress::share
 {
     scalar result = 0;
 
+    // The images across the flume are the same disc
+    if (hasDiscs(region))
+    {
+        const Tuple2<point, scalar>& c = circles_[region - spheres_.size()];
+        vector to(GREAT, GREAT, GREAT);
+
+        for (const vector& shift : shifts_)
+        {
+            const vector d(p + shift - c.first());
+            const vector inPlane(d - (d & frame_.across())*frame_.across());
+            to = magSqr(inPlane) < magSqr(to) ? inPlane : to;
+        }
+        return sphereParts::inDisc(mag(to), r, c.second());
+    }
+
     for (const vector& shift : shifts_)
     {
         if (region < spheres_.size())
@@ -117,7 +185,8 @@ Foam::scalar Foam::functionObjects::grainStress::share
         }
         else
         {
-            const Tuple2<point, point>& b = boxes_[region - spheres_.size()];
+            const Tuple2<point, point>& b =
+                boxes_[region - spheres_.size() - circles_.size()];
             const boundBox box(b.first(), b.second());
             result += sphereParts::inBox(p + shift, r, box);
         }
@@ -134,13 +203,71 @@ Foam::scalar Foam::functionObjects::grainStress::volume
 {
     if (region < spheres_.size())
     {
-        const scalar r = spheres_[region].second();
-        return 4*constant::mathematical::pi*pow3(max(r, scalar(0)))/3;
+        return 4*pi*pow3(max(spheres_[region].second(), scalar(0)))/3;
     }
 
-    const Tuple2<point, point>& b = boxes_[region - spheres_.size()];
+    if (hasDiscs(region))
+    {
+        const scalar R = circles_[region - spheres_.size()].second();
+        return pi*sqr(max(R, scalar(0)))*box().span().y();
+    }
+
+    const Tuple2<point, point>& b =
+        boxes_[region - spheres_.size() - circles_.size()];
     const vector span(b.second() - b.first());
     return cmptMin(span) > 0 ? cmptProduct(span) : 0;
+}
+
+
+Foam::scalar Foam::functionObjects::grainStress::grainVolume
+(
+    const label region,
+    const scalar d
+) const
+{
+    return hasDiscs(region) ? pi*sqr(d)/4*box().span().y() : pi*pow3(d)/6;
+}
+
+
+Foam::scalar Foam::functionObjects::grainStress::surface
+(
+    const label region
+) const
+{
+    const grainSnapshot& all = grains();
+    const labelList chosen(ofTypes(all, types_));
+    const Tuple2<point, scalar> here(place(region));
+    const scalar x = frame_.x(here.first());
+    scalar d = 0;
+
+    for (const label i : chosen)
+    {
+        d = max(d, all.d[i]);
+    }
+    d = returnReduce(d, maxOp<scalar>());
+
+    movingLayer layer
+    (
+        box().min().z(), box().max().z(), d > 0 ? d/4 : box().span().z()
+    );
+    for (const label i : chosen)
+    {
+        const point p(frame_.local(all.position[i]));
+
+        if (mag(p.x() - x) <= here.second())
+        {
+            layer.add
+            (
+                p.z(),
+                all.d[i]/2,
+                grainVolume(region, all.d[i]),
+                mag(all.U[i]) > speed_
+            );
+        }
+    }
+    layer.reduce();
+
+    return layer.surface();
 }
 
 
@@ -157,14 +284,19 @@ Foam::scalarList Foam::functionObjects::grainStress::values
     symmTensor motion(Zero);
     symmTensor contacts(Zero);
 
+    // Where a region follows the surface, heights are counted from there
+    const scalar height = follow_ ? surface(region) : 0;
+    const vector down(height*frame_.normal());
+
     for (const label i : ofTypes(all, types_))
     {
-        const scalar part = share(region, all.position[i], all.d[i]/2);
+        const scalar part =
+            share(region, all.position[i] - down, all.d[i]/2);
 
         if (part > 0)
         {
             n += part;
-            solid += part*constant::mathematical::pi*pow3(all.d[i])/6;
+            solid += part*grainVolume(region, all.d[i]);
             mass += part*all.mass[i];
             momentum += part*all.mass[i]*all.U[i];
             motion += part*all.mass[i]*sqr(all.U[i]);
@@ -186,13 +318,27 @@ Foam::scalarList Foam::functionObjects::grainStress::values
         stress -= (motion - sqr(momentum)/mass)/volume(region);
     }
 
-    return scalarList
+    if (turned_)
+    {
+        stress = transform
+        (
+            tensor(frame_.downslope(), frame_.across(), frame_.normal()), stress
+        );
+    }
+
+    scalarList result
     ({
         n, solid/volume(region),
         stress.xx(), stress.xy(), stress.xz(),
         stress.yy(), stress.yz(), stress.zz(),
         -tr(stress)/3, sqrt(1.5)*mag(dev(stress))
     });
+    if (follow_)
+    {
+        result.append(height);
+    }
+
+    return result;
 }
 
 

@@ -3,54 +3,11 @@
 
 #include "fixFluidForce.H"
 
-#include <map>
-#include <string>
-
 #include <liggghts/atom.h>
 #include <liggghts/lammps.h>
 #include <liggghts/modify.h>
 
 const char* const Foam::fixFluidForce::styleName = "interDEMFoam/fluidForce";
-
-
-namespace
-{
-    using fixCreator = LAMMPS_NS::Fix* (*)(LAMMPS_NS::LAMMPS*, int, char**);
-    using fixMap = std::map<std::string, fixCreator>*;
-
-    fixMap& stylesOf(LAMMPS_NS::Modify& modify);
-
-    //- The table of styles is private in LIGGGHTS 3.8, which offers no other
-    //  way to a fix of one's own. Naming a private member in an explicit
-    //  instantiation is allowed by the standard
-    template<fixMap LAMMPS_NS::Modify::*styles>
-    struct privateStyles
-    {
-        friend fixMap& stylesOf(LAMMPS_NS::Modify& modify)
-        {
-            return modify.*styles;
-        }
-    };
-
-    template struct privateStyles<&LAMMPS_NS::Modify::fix_map>;
-
-
-    LAMMPS_NS::Fix* newFixFluidForce
-    (
-        LAMMPS_NS::LAMMPS* lmp,
-        int narg,
-        char** arg
-    )
-    {
-        return new Foam::fixFluidForce(lmp, narg, arg);
-    }
-}
-
-
-void Foam::fixFluidForce::addStyle(LAMMPS_NS::LAMMPS* lmp)
-{
-    (*stylesOf(*lmp->modify))[styleName] = newFixFluidForce;
-}
 
 
 Foam::fixFluidForce::fixFluidForce

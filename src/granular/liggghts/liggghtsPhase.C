@@ -8,6 +8,8 @@
 #include "Time.H"
 #include "addToRunTimeSelectionTable.H"
 #include "fixFluidForce.H"
+#include "fixLocalDamping.H"
+#include "fixStyles.H"
 #include "foamCompatibility.H"
 #include "keywords.H"
 #include "liggghtsChecks.H"
@@ -57,12 +59,13 @@ Foam::liggghtsPhase::liggghtsPhase
             dict,
             typeName,
             {
-                "initial", "physics", "contacts", "variables", "walls",
-                "outflow"
+                "initial", "physics", "contacts", "localDamping", "variables",
+                "walls", "outflow"
             }
         )
     ),
     g_(g),
+    localDamping_(readLocalDamping(dict_)),
     initialScript_(script(mesh, dict_, "initial")),
     physicsScript_(script(mesh, dict_, "physics")),
     outflow_
@@ -149,6 +152,23 @@ Foam::fileName Foam::liggghtsPhase::script
 }
 
 
+Foam::scalar Foam::liggghtsPhase::readLocalDamping(const dictionary& dict)
+{
+    const scalar share = dict.lookupOrDefault<scalar>("localDamping", 0);
+
+    if (!(share >= 0 && share < 1))
+    {
+        FatalIOErrorInFunction(dict)
+            << "localDamping is " << share << nl
+            << "    It is the share of the force on a grain that acts against its"
+            << " motion: from 0 (none) to below 1; PFC has 0.7."
+            << exit(FatalIOError);
+    }
+
+    return share;
+}
+
+
 Foam::labelVector Foam::liggghtsPhase::cuts() const
 {
     labelVector n(Zero);
@@ -217,7 +237,8 @@ void Foam::liggghtsPhase::chooseContacts()
 
 void Foam::liggghtsPhase::createGrains()
 {
-    fixFluidForce::addStyle(&*liggghts_);
+    addFixStyle<fixFluidForce>(&*liggghts_);
+    addFixStyle<fixLocalDamping>(&*liggghts_);
 
     // Contacts with history need it, and a written state does not keep it
     liggghts_.command("newton off");
@@ -322,6 +343,7 @@ Foam::dictionary Foam::liggghtsPhase::activePhysics() const
 {
     dictionary result(granularPhase::activePhysics());
     result.add("contactModel", walls_.contactModel());
+    result.add("localDamping", localDamping_);
     result.add("variables", variables());
 
     return result;
@@ -359,6 +381,16 @@ void Foam::liggghtsPhase::addOwnFixes()
     (
         modify.fix[modify.find_fix("interDEMFoamFluid")]
     );
+
+    // Behind all other forces, since it takes a share of their sum
+    if (localDamping_ > 0)
+    {
+        std::ostringstream os;
+        os.precision(17);
+        os  << "fix interDEMFoamDamping all " << fixLocalDamping::styleName
+            << ' ' << localDamping_;
+        liggghts_.command(os.str());
+    }
 }
 
 

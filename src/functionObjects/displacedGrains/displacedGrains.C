@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What has moved away from where it was: volume, velocity, depth along the bed.
+
+#include "displacedGrains.H"
+
+#include "addToRunTimeSelectionTable.H"
+#include "mathematicalConstants.H"
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(displacedGrains, 0);
+    addToRunTimeSelectionTable(functionObject, displacedGrains, dictionary);
+}
+}
+
+
+Foam::functionObjects::displacedGrains::displacedGrains
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    flumeFunctionObject(name, runTime, dict, typeName),
+    origins_(mesh_),
+    d_(0)
+{
+    read(dict);
+
+    if (writes())
+    {
+        writeHeaders();
+    }
+}
+
+
+void Foam::functionObjects::displacedGrains::writeHeaders()
+{
+    wordList names
+    ({
+        "n", "volume", "U", "nMoving", "volumeMoving", "UMoving"
+    });
+    forAll(sections_, i)
+    {
+        names.append(word("depth:" + Foam::name(i), false));
+    }
+
+    writeColumns
+    (
+        file(),
+        "Grains displaced by more than the threshold: number, solid volume in m3,"
+        " mean velocity downslope by volume in m/s; of these, those that move; depth"
+        " in m that they left at the sections",
+        names
+    );
+}
+
+
+bool Foam::functionObjects::displacedGrains::read(const dictionary& dict)
+{
+    flumeFunctionObject::read(dict);
+    checkKeys
+    (
+        dict,
+        {
+            "types", "bedTypes", "threshold", "speed", "sections",
+            "sectionWidth", "packing", "width", "discs"
+        }
+    );
+
+    types_ = labelHashSet(dict.lookupOrDefault("types", labelList()));
+    bedTypes_ = labelHashSet(dict.lookupOrDefault("bedTypes", labelList()));
+    threshold_ = dict.lookupOrDefault<scalar>("threshold", 0);
+    speed_ = dict.lookupOrDefault<scalar>("speed", 0);
+    sections_ = dict.lookupOrDefault("sections", scalarList());
+    sectionWidth_ = dict.lookupOrDefault<scalar>("sectionWidth", 0.02);
+    packing_ = dict.lookupOrDefault<scalar>("packing", 0.6);
+    width_ = dict.lookupOrDefault<scalar>("width", box().span().y());
+    discs_ = dict.lookupOrDefault("discs", false);
+
+    if (sectionWidth_ <= 0 || packing_ <= 0 || packing_ > 1 || width_ <= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "sectionWidth is " << sectionWidth_ << " m, width " << width_
+            << " m, packing " << packing_ << nl
+            << "    Give lengths above zero and a packing up to 1."
+            << exit(FatalIOError);
+    }
+
+    return true;
+}
+
+
+Foam::fileName Foam::functionObjects::displacedGrains::originsFile() const
+{
+    return baseFileDir()/name()/"origins";
+}
+
+
+Foam::scalar Foam::functionObjects::displacedGrains::volume
+(
+    const scalar d
+) const
+{
+    using constant::mathematical::pi;
+    return discs_ ? pi*sqr(d)/4*width_ : pi*pow3(d)/6;
+}
+
+
+void Foam::functionObjects::displacedGrains::begin(const labelList& chosen)
+{
+    scalar sum = 0;
+    for (const label i : chosen)
+    {
+        sum += grains().d[i];
+    }
+    const label n = returnReduce(chosen.size(), sumOp<label>());
+    d_ = returnReduce(sum, sumOp<scalar>())/max(n, 1);
+
+    // Origins of now or later are those of an earlier run of this case
+    if (origins_.read(originsFile()) && origins_.time < now() - SMALL)
+    {
+        return;
+    }
+
+    origins_.clear();
+    origins_.time = now();
+    origins_.of(grains(), chosen);
+    if (writeToFile())
+    {
+        origins_.write(originsFile());
+    }
+    Info<< type() << " " << name() << ": displacements from time " << now()
+        << " s; mean diameter " << d_ << " m" << endl;
+}
+
+
+bool Foam::functionObjects::displacedGrains::look()
+{
+    const labelList chosen(ofTypes(grains(), types_));
+
+    if (origins_.time >= GREAT)
+    {
+        begin(chosen);
+    }
+
+    const scalar far = threshold_ > 0 ? threshold_ : 2*d_;
+    const scalar fast =
+        speed_ > 0 ? speed_ : 0.05*sqrt(mag(gravity())*cosSlope()*d_);
+
+    // n, volume, volume times velocity: of those displaced, of those that move
+    scalarField sums(6, Zero);
+    scalarField left(sections_.size(), Zero);
+
+    for (const grainOrigins::record& r : origins_.of(grains(), chosen))
+    {
+        if (mag(r.displacement) <= far)
+        {
+            continue;
+        }
+
+        const scalar V = volume(r.d);
+        const scalar U = r.U & frame_.downslope();
+        for (const label k : mag(r.U) > fast ? labelList{0, 3} : labelList{0})
+        {
+            sums[k] += 1;
+            sums[k + 1] += V;
+            sums[k + 2] += V*U;
+        }
+
+        forAll(sections_, i)
+        {
+            if
+            (
+                (bedTypes_.empty() || bedTypes_.found(r.type))
+             && mag(frame_.x(r.origin) - sections_[i]) <= sectionWidth_/2
+            )
+            {
+                left[i] += V;
+            }
+        }
+    }
+
+    reduce(sums, sumOp<scalarField>());
+    reduce(left, sumOp<scalarField>());
+    sums[2] /= max(sums[1], VSMALL);
+    sums[5] /= max(sums[4], VSMALL);
+
+    line_ = sums;
+    line_.append(left/(packing_*width_*sectionWidth_));
+    setResult("UMoving", sums[5]);
+
+    return true;
+}
+
+
+void Foam::functionObjects::displacedGrains::report()
+{
+    if (writes())
+    {
+        writeLine(file(), line_);
+    }
+}
