@@ -121,10 +121,11 @@ TEST(shearingLaws, staticAndDynamicErosionAreTheirEquations)
 TEST(erosionByLaws, depthsGrowAndStopAtTheFloor)
 {
     sectionSeries s;
-    s.t = s.depth = scalarList(11);
-    s.sigma = scalarList(11, 300);
-    s.v = scalarList(11, 1);
-    s.tau = scalarList(11, 400);
+    s.t.setSize(11);
+    s.depth.setSize(11);
+    s.sigma = scalarList(11, scalar(300));
+    s.v = scalarList(11, scalar(1));
+    s.tau = scalarList(11, scalar(400));
     forAll(s.t, i)
     {
         s.t[i] = 0.1*i;
@@ -165,11 +166,11 @@ TEST(erosionByLaws, depthsGrowAndStopAtTheFloor)
 TEST(erosionByLaws, errorsAreMeansOfSquares)
 {
     sectionSeries s;
-    s.t = scalarList({0, 1});
-    s.sigma = scalarList({300, 300});
-    s.v = scalarList({1, 1});
-    s.tau = scalarList({0, 0});
-    s.depth = scalarList({0, 0.2});
+    s.t = scalarList({0.0, 1.0});
+    s.sigma = scalarList(2, scalar(300));
+    s.v = scalarList(2, scalar(1));
+    s.tau = scalarList(2, Zero);
+    s.depth = scalarList({0.0, 0.2});
 
     const auto all = erosionByLaws(bed()).of(s);
     EXPECT_NEAR(all[0].scouringError, 0.02, 1e-14);

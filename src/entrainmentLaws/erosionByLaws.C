@@ -73,7 +73,9 @@ Foam::List<Foam::erosionByLaws::erosion> Foam::erosionByLaws::of
 
     for (erosion& e : all)
     {
-        e.byStatic = e.byDynamic = e.byScouring = scalarList(n, Zero);
+        e.byStatic.setSize(n, Zero);
+        e.byDynamic.setSize(n, Zero);
+        e.byScouring.setSize(n, Zero);
         e.scouringRate = scalarList(n);
 
         for (label i = 0; i < n; ++i)

@@ -9,6 +9,7 @@
 #include "csvTable.H"
 #include "erosionByLaws.H"
 #include "keywords.H"
+#include "scalarField.H"
 #include "series.H"
 #include "writtenTable.H"
 
