@@ -32,13 +32,14 @@ TEST_F(tank, theTablesForPicturesHoldEveryGrainAndCell)
     );
     grains_.grains.U = vector(1, 2, 2);
     grains_.grains.type[7] = 2;
+    grains_.grains.id[7] = 42;
 
     functionObjects::sideView view("view", box_.time(), dict(""));
     view.write();
 
     const List<scalarList> grains(table("view", "grains"));
     ASSERT_EQ(grains.size(), 100);
-    expectRow(grains[7], {0.75, 0.05, 0.01, 0.02, 3, 2});
+    expectRow(grains[7], {0.75, 0.05, 0.01, 0.02, 3, 2, 42});
 
     const List<scalarList> cells(table("view", "cells"));
     ASSERT_EQ(cells.size(), 64);
@@ -67,7 +68,7 @@ TEST_F(tank, aSideViewTakesGrainsNearTheSideInFlumeCoordinates)
 
     const List<scalarList> grains(table("view", "grains"));
     ASSERT_EQ(grains.size(), 20);
-    expectRow(grains[0], {-0.45, -0.85, 0.01, 0.02, 0, 1});
+    expectRow(grains[0], {-0.45, -0.85, 0.01, 0.02, 0, 1, 8});
     for (const scalarList& row : grains)
     {
         EXPECT_LT(row[1], -0.8);

@@ -105,7 +105,7 @@ void Foam::functionObjects::sideView::writeGrains()
                 scalarList
                 ({
                     p.x(), p.y(), p.z(), all.d[i], mag(all.U[i]),
-                    scalar(all.type[i])
+                    scalar(all.type[i]), scalar(all.id[i])
                 })
             );
         }
@@ -114,8 +114,8 @@ void Foam::functionObjects::sideView::writeGrains()
     writeTable
     (
         "grains",
-        "Grains: place and diameter in m, speed in m/s, type",
-        {"x", "y", "z", "d", "speed", "type"},
+        "Grains: place and diameter in m, speed in m/s, type, number of the grain",
+        {"x", "y", "z", "d", "speed", "type", "id"},
         rows
     );
 }
