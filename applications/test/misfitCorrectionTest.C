@@ -112,7 +112,7 @@ TEST(misfitCorrection, isWrittenIntoACaseAsEntriesThatMayBeNew)
     const dictionary options(at.read("constant/fvOptions"));
     EXPECT_FALSE(options.found("push1_1"));
     const dictionary& push = options.subDict("push1_2");
-    EXPECT_EQ(push.get<word>("type"), "locatedPush");
+    EXPECT_EQ(push.get<word>("type"), "localisedMomentumSource");
     EXPECT_EQ(push.get<scalar>("force"), -35);
     EXPECT_EQ(push.get<scalar>("time"), 1);
     EXPECT_EQ(push.get<Pair<scalar>>("reach"), Pair<scalar>(1, 1));
@@ -152,7 +152,7 @@ TEST(misfitCorrection, readsWhatWaterWasMet)
     emptyCase at;
     const fileName folder(at.folder/"postProcessing/push1_1/0");
     mkDir(folder);
-    std::ofstream(folder/"locatedPush.dat")
+    std::ofstream(folder/"localisedMomentumSource.dat")
         << "# Time share U depth voidFraction rho nu g\n"
         << "0.1 0 9 9 0.9 1100 9 9.81\n0.2 1 2 0.1 0.6 1100 1e-3 9.81\n"
         << "0.4 0.5 4 0.3 0.6 1100 3e-3 9.81\n0.5 0 9 9 0.9 1100 9 9.81\n";

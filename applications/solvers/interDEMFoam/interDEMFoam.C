@@ -14,10 +14,10 @@
 #include "divergence.H"
 #include "exchangeTime.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
-#include "firstRankFirst.H"
+#include "masterErrorsFirst.H"
 #include "fpeGuard.H"
 #include "functionState.H"
-#include "grainCoupling.H"
+#include "demCoupling.H"
 #include "reconstructionCheck.H"
 #include "slidingGate.H"
 #include "solverChecks.H"
@@ -37,7 +37,7 @@ int main(int argc, char *argv[])
 
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"
-    const firstRankFirst errors;
+    const masterErrorsFirst errors;
     timeFolders::putIncompleteAside(args);
     Info<< "Create time\n" << endl;
     exchangeTime runTime(Time::controlDictName, args);
@@ -92,7 +92,7 @@ int main(int argc, char *argv[])
                     grains.locateGrains();
                 }
             );
-            grains.findPorosity();
+            grains.findVoidFraction();
             grains.prepareForces(fluidNow());
         }
 
@@ -120,7 +120,7 @@ int main(int argc, char *argv[])
 
             if (grains.due())
             {
-                grains.giveForces(U);
+                grains.setParticleForces(U);
             }
         }
 

@@ -70,6 +70,36 @@ void Foam::keywords::check
 }
 
 
+void Foam::keywords::stopRenamed
+(
+    const dictionary& dict,
+    const word& old,
+    const word& present
+)
+{
+    FatalIOErrorInFunction(dict)
+        << old << " in " << dict.name() << " is called " << present << " now"
+        << nl << "    Write " << present << " in its place."
+        << exit(FatalIOError);
+}
+
+
+void Foam::keywords::checkRenamed
+(
+    const dictionary& dict,
+    const HashTable<word>& present
+)
+{
+    for (const word& old : present.sortedToc())
+    {
+        if (dict.found(old))
+        {
+            stopRenamed(dict, old, present[old]);
+        }
+    }
+}
+
+
 void Foam::keywords::checkPatterns
 (
     const dictionary& dict,
@@ -121,7 +151,8 @@ Foam::word Foam::keywords::choice
     const word& keyword,
     const string& what,
     const wordList& valid,
-    const word& byDefault
+    const word& byDefault,
+    const HashTable<word>& renamed
 )
 {
     if (!dict.found(keyword) && byDefault.empty())
@@ -134,6 +165,11 @@ Foam::word Foam::keywords::choice
     }
 
     const word name(dict.getOrDefault<word>(keyword, byDefault));
+
+    if (renamed.found(name))
+    {
+        stopRenamed(dict, name, renamed[name]);
+    }
 
     if (!valid.found(name))
     {

@@ -295,7 +295,7 @@ void Foam::functionObjects::bedErosion::follow
 }
 
 
-bool Foam::functionObjects::bedErosion::look()
+bool Foam::functionObjects::bedErosion::sample()
 {
     const bedGrains grains(bed());
     if (passOverWithoutBed(grains))

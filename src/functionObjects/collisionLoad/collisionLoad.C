@@ -177,7 +177,7 @@ Foam::scalar Foam::functionObjects::collisionLoad::meanOverGrains
 }
 
 
-bool Foam::functionObjects::collisionLoad::look()
+bool Foam::functionObjects::collisionLoad::sample()
 {
     if (mass_ <= 0 && surgeFront_.size())
     {

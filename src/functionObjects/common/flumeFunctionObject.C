@@ -49,8 +49,8 @@ Foam::functionObjects::flumeFunctionObject::flumeFunctionObject
     fvMeshFunctionObject(name, runTime, dict),
     compatibility::writeFile(mesh_, name, fileName, dict),
     series_(name, runTime, !functionObject::postProcess),
-    lookedAt_(-GREAT),
-    seen_(false),
+    sampledAt_(-GREAT),
+    sampled_(false),
     rhoWater_(0)
 {}
 
@@ -347,19 +347,19 @@ const Foam::boundBox& Foam::functionObjects::flumeFunctionObject::box() const
 
 bool Foam::functionObjects::flumeFunctionObject::execute()
 {
-    seen_ = look();
-    lookedAt_ = now();
+    sampled_ = sample();
+    sampledAt_ = now();
     return true;
 }
 
 
 bool Foam::functionObjects::flumeFunctionObject::write()
 {
-    if (lookedAt_ != now())
+    if (sampledAt_ != now())
     {
         execute();
     }
-    if (seen_)
+    if (sampled_)
     {
         report();
     }

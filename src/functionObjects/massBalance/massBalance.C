@@ -165,7 +165,7 @@ Foam::functionObjects::massBalance::grainCount() const
 }
 
 
-bool Foam::functionObjects::massBalance::look()
+bool Foam::functionObjects::massBalance::sample()
 {
     if (passOver({alphaName_, voidFractionName_}))
     {

@@ -292,7 +292,7 @@ Foam::functionObjects::porePressureProbes::grainStress() const
 }
 
 
-bool Foam::functionObjects::porePressureProbes::look()
+bool Foam::functionObjects::porePressureProbes::sample()
 {
     if (passOver({pName_, alphaName_}))
     {

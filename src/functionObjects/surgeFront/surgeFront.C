@@ -288,7 +288,7 @@ void Foam::functionObjects::surgeFront::follow(const scalar x, const scalar h)
 }
 
 
-bool Foam::functionObjects::surgeFront::look()
+bool Foam::functionObjects::surgeFront::sample()
 {
     if (passOver({alphaName_, voidFractionName_}))
     {

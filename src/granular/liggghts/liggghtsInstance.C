@@ -28,7 +28,7 @@ namespace
     std::string logPath;
     std::string busyWith;
     std::string hint;
-    const Foam::lastWords* heard = nullptr;
+    const Foam::screenTail* heard = nullptr;
 
     //- Write what LIGGGHTS was doing and its last words, where it ended the
     //  program
@@ -136,7 +136,7 @@ Foam::liggghtsInstance::liggghtsInstance(const fileName& logFile)
     (void)registered;
 
     logPath = logFile;
-    heard = &lastWords_;
+    heard = &screenTail_;
 
     std::string log(logFile);
     char name[] = "liggghts", logFlag[] = "-log", screenFlag[] = "-screen";
@@ -158,7 +158,7 @@ Foam::liggghtsInstance::liggghtsInstance(const fileName& logFile)
     {
         std::fclose(lmp_->screen);
     }
-    lmp_->screen = lmp_->universe->uscreen = lastWords_.screen();
+    lmp_->screen = lmp_->universe->uscreen = screenTail_.screen();
     lammps_command(lmp_, const_cast<char*>("echo both"));
 }
 

@@ -163,7 +163,7 @@ bool Foam::liggghtsPhase::cameToSide
 void Foam::liggghtsPhase::warnOfVanished
 (
     const label n,
-    const rollCall::seen& first
+    const lostGrainFinder::seen& first
 )
 {
     toldOfVanished_ = true;
@@ -178,7 +178,7 @@ void Foam::liggghtsPhase::warnOfVanished
 }
 
 
-std::string Foam::liggghtsPhase::told(const rollCall::seen& grain)
+std::string Foam::liggghtsPhase::told(const lostGrainFinder::seen& grain)
 {
     if (grain.first() < 0)
     {
@@ -196,7 +196,7 @@ std::string Foam::liggghtsPhase::told(const rollCall::seen& grain)
 void Foam::liggghtsPhase::stopForWrong
 (
     const label n,
-    const rollCall::seen& first
+    const lostGrainFinder::seen& first
 ) const
 {
     FatalErrorInFunction
@@ -214,14 +214,14 @@ void Foam::liggghtsPhase::stopForWrong
 Foam::label Foam::liggghtsPhase::nVanished(const label gone)
 {
     // Those that came in and went within one interval were never seen
-    const List<rollCall::seen> missing(before_.missing(id_));
+    const List<lostGrainFinder::seen> missing(before_.missing(id_));
     const label nUnseen = gone - missing.size();
     label nWrong = openings_.empty() ? nUnseen : 0;
     label nInside = nUnseen - nWrong;
-    rollCall::seen first(-1, Pair<vector>());
-    rollCall::seen firstInside(first);
+    lostGrainFinder::seen first(-1, Pair<vector>());
+    lostGrainFinder::seen firstInside(first);
 
-    for (const rollCall::seen& grain : missing)
+    for (const lostGrainFinder::seen& grain : missing)
     {
         const point& from = grain.second().first();
         const vector& velocity = grain.second().second();

@@ -201,7 +201,7 @@ inline Foam::flowAtGrain Foam::interphaseForces::flowAt
 }
 
 
-inline Foam::vector Foam::interphaseForces::freeLoad
+inline Foam::vector Foam::interphaseForces::unsupportedLoad
 (
     const locatedGrain& grain,
     const scalar rhoAround,
@@ -293,7 +293,7 @@ inline void Foam::interphaseForces::setForce
 
     vector load
     (
-        freeLoad
+        unsupportedLoad
         (
             grain,
             rhoAround,

@@ -188,8 +188,8 @@ Foam::string Foam::misfit::correction::push
 {
     OStringStream os;
     os.precision(10);
-    os << "{ type locatedPush; libs (\"libfluidClosures.so\"); direction "
-        << e.direction << "; force " << force << "; place " << e.place
+    os << "{ type localisedMomentumSource; libs (\"libfluidSources.so\");"
+        << " direction " << e.direction << "; force " << force << "; place " << e.place
         << "; reach " << e.reach << "; time " << e.time << "; lasting "
         << e.lasting << "; ";
     ofPush_.write(os, false);
@@ -311,7 +311,10 @@ Foam::misfit::correction::met(const fileName& caseFolder) const
 
         // Time share U depth voidFraction rho nu g: means over the steps, by their
         // share
-        const writtenTable table(caseFolder, e.name, "locatedPush.dat");
+        const writtenTable table
+        (
+            caseFolder, e.name, "localisedMomentumSource.dat"
+        );
         conditions mean;
         mean.voidFraction = 0;
         const List<scalar*> column

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stages of an exchange, with LIGGGHTS, and its place in time.
+
+#include "demCoupling.H"
+#include "exchangeTime.H"
+#include "testMesh.H"
+
+#include "OSspecific.H"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+using namespace Foam;
+
+namespace
+{
+
+//- DEM step [s], and the interval of 50 of them
+constexpr scalar step = 2e-5;
+constexpr scalar interval = 50*step;
+
+
+//- Four grains of 20 mm in a box of 1 m full of water at rest
+class boxOfWater
+{
+    testMesh box_;
+
+    void write(const fileName& name, const std::string& text) const
+    {
+        mkDir((box_.folder()/name).path());
+        std::ofstream(box_.folder()/name) << text;
+    }
+
+public:
+
+    //- The case, with an entry more in its dictionary
+    explicit boxOfWater(const std::string& more = "")
+    {
+        const std::string all = " all property/global ";
+        write
+        (
+            "constant/grains/initial",
+            "units si\natom_style granular\nnewton off\n"
+            "communicate single vel yes\n"
+            "region box block 0 1 0 1 0 1 units box\ncreate_box 1 box\n"
+            "create_atoms 1 single 0.3 0.5 0.5 units box\n"
+            "create_atoms 1 single 0.4 0.5 0.5 units box\n"
+            "create_atoms 1 single 0.5 0.5 0.5 units box\n"
+            "create_atoms 1 single 0.6 0.5 0.5 units box\n"
+            "set type 1 diameter 0.02 density 2500\n"
+        );
+        write
+        (
+            "constant/grains/physics",
+            "neighbor 0.002 bin\nneigh_modify delay 0\n"
+            "fix E" + all + "youngsModulus peratomtype 1e7\n"
+            "fix nu" + all + "poissonsRatio peratomtype 0.3\n"
+            "fix e" + all + "coefficientRestitution peratomtypepair 1 0.4\n"
+            "fix mu" + all + "coefficientFriction peratomtypepair 1 0.7\n"
+            "pair_style gran model hertz tangential history\n"
+            "pair_coeff * *\ntimestep 2e-5\nfix integrate all nve/sphere\n"
+        );
+        write
+        (
+            "constant/granularProperties",
+            "FoamFile { version 2.0; format ascii; class dictionary;"
+            " object granularProperties; }\n"
+            "granularPhase LIGGGHTS; LIGGGHTS { walls { patches (\".*\");"
+            " type 1; } } exchange { interval 50; }\n" + more
+        );
+    }
+
+    testMesh& box()
+    {
+        return box_;
+    }
+
+    fluidFields water()
+    {
+        const label n = box_.mesh().nCells();
+        return fluidFields
+        {
+            scalarField(n, 1000),
+            scalarField(n, 1e-3),
+            scalarField(n, 1),
+            vectorField(n, Zero),
+            vectorField(n, Zero),
+            vectorField(),
+            vectorField()
+        };
+    }
+};
+
+
+const vector g(0, 0, -9.81);
+
+} // End anonymous namespace
+
+
+TEST(demCoupling, hasNoGrainsWithoutTheirDictionary)
+{
+    testMesh box;
+    const demCoupling grains(box.mesh(), hydrostatics(g));
+
+    EXPECT_FALSE(grains.active());
+    EXPECT_FALSE(grains.due());
+}
+
+
+TEST(demCoupling, takesAWholeNumberOfFluidStepsInAnInterval)
+{
+    boxOfWater w;
+    const demCoupling grains(w.box().mesh(), hydrostatics(g));
+
+    EXPECT_TRUE(grains.due());
+    EXPECT_NEAR(grains.fluidStep(1), interval, 1e-12*interval);
+    EXPECT_NEAR(grains.fluidStep(interval), interval, 1e-12*interval);
+    EXPECT_NEAR(grains.fluidStep(0.3*interval), interval/4, 1e-12*interval);
+}
+
+
+TEST(demCoupling, goesEvenlyToTheVoidFractionThatTheGrainsLeave)
+{
+    boxOfWater w;
+    const fvMesh& mesh = w.box().mesh();
+    demCoupling grains(mesh, hydrostatics(g));
+    const fluidFields water(w.water());
+    const scalarField before(1 - grains.solidFraction());
+    grains.start(vectorField(mesh.nCells(), 1000*g), water.U);
+
+    grains.moveGrains();
+    grains.locateGrains();
+    grains.findVoidFraction();
+    grains.prepareForces(water);
+
+    EXPECT_FALSE(grains.due());
+    const scalarField after(1 - grains.solidFraction());
+    EXPECT_GT(max(mag(after - before)), 1e-12);
+    EXPECT_LT
+    (
+        max(mag(grains.targetVoidFraction(interval/2) - (before + after)/2)),
+        1e-15
+    );
+    EXPECT_EQ(grains.targetVoidFraction(interval), after);
+}
+
+
+TEST(demCoupling, givesGrainsTheOppositeOfWhatTheFluidGets)
+{
+    boxOfWater w;
+    const fvMesh& mesh = w.box().mesh();
+    demCoupling grains(mesh, hydrostatics(g));
+    const fluidFields water(w.water());
+    grains.start(vectorField(mesh.nCells(), 1000*g), water.U);
+
+    grains.moveGrains();
+    grains.locateGrains();
+    grains.findVoidFraction();
+    grains.prepareForces(water);
+
+    const surfaceScalarField none
+    (
+        IOobject("none", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimPressure/dimLength*dimArea, Zero)
+    );
+    grains.addFluidStep
+    (
+        water.U, water.rho, none, water.U, vectorField(), interval
+    );
+    EXPECT_TRUE(grains.due());
+    grains.setParticleForces(water.U);
+
+    EXPECT_LT(grains.forces().residual(), 1e-12);
+    EXPECT_EQ(grains.forces().force().size(), 4);
+}
+
+
+TEST(exchangeTime, putsWritingOffToTheEndOfAnInterval)
+{
+    testMesh box;
+    exchangeTime time
+    (
+        Time::controlDictName, box.folder().path(), box.folder().name()
+    );
+    const auto written = [&](const bool together)
+    {
+        ++time;
+        time.writeWhere(together);
+        return time.writeTime();
+    };
+
+    time.writeOnce();
+    EXPECT_FALSE(written(false));
+    EXPECT_FALSE(written(false));
+    EXPECT_TRUE(written(true));
+    EXPECT_FALSE(written(true));
+}

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The grains beside the fluid: each stage of their exchange is one call.
+
+#include "demCoupling.H"
+
+#include "IOdictionary.H"
+#include "OSspecific.H"
+#include "Time.H"
+#include "activePhysics.H"
+#include "functionObject.H"
+#include "keywords.H"
+
+Foam::demCoupling::demCoupling
+(
+    const fvMesh& mesh,
+    const hydrostatics& rest
+)
+:
+    mesh_(mesh),
+    elapsed_(0),
+    nEntered_(0),
+    warnedOf_(0)
+{
+    // On written data grains are read where they are looked at
+    if (functionObject::postProcess)
+    {
+        return;
+    }
+
+    IOobject io
+    (
+        "granularProperties",
+        mesh.time().constant(),
+        mesh,
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE
+    );
+
+    // A file that is there is read, or told to be wrong
+    const fileName path
+    (
+        mesh.time().globalPath()/mesh.time().constant()/io.name()
+    );
+    if (!returnReduce(isFile(path), orOp<bool>()))
+    {
+        Info<< "No constant/granularProperties: no grains" << nl << endl;
+        return;
+    }
+
+    const IOdictionary dict(io);
+
+    phase_ = granularPhase::New(mesh, dict, rest.g());
+    exchange_.reset(new grainExchange(mesh));
+    porosity_.reset
+    (
+        new porosity(*exchange_, keywords::sub(dict, "porosity"))
+    );
+    forces_.reset
+    (
+        new interphaseForces
+        (
+            *exchange_,
+            *porosity_,
+            keywords::sub(dict, "interphaseForces"),
+            rest,
+            phase_->coarseGraining()
+        )
+    );
+
+    locateGrains();
+    // In a surge soft grains dent deeper than a packing may
+    if (!phase_->restarted())
+    {
+        checkWalls();
+    }
+    checkRegime();
+    findVoidFraction();
+    solidBefore_ = solidAfter_;
+
+    // Nothing of an interval is left to do: the grains are due
+    elapsed_ = phase_->exchangeInterval();
+}
+
+
+bool Foam::demCoupling::due() const
+{
+    return active() && elapsed_ > (1 - 1e-6)*phase_->exchangeInterval();
+}
+
+
+Foam::scalar Foam::demCoupling::fluidStep(const scalar wanted) const
+{
+    const scalar remaining =
+        phase_->exchangeInterval() - (due() ? 0 : elapsed_);
+
+    return remaining/std::ceil(remaining/wanted*(1 - 1e-6));
+}
+
+
+void Foam::demCoupling::resetSums(const vectorField& U)
+{
+    elapsed_ = 0;
+    startU_ = U;
+    sums_.U = vectorField(U.size(), Zero);
+    sums_.pressureGradient = sums_.U;
+    sums_.viscousForce = sums_.U;
+    sums_.rho = scalarField(U.size(), Zero);
+    sums_.fromPressure = Zero;
+}
+
+
+void Foam::demCoupling::start
+(
+    const vectorField& pressureGradient,
+    const vectorField& U
+)
+{
+    writeActivePhysics(mesh_, "interphaseForces", forces_->active());
+    writeActivePhysics(mesh_, "grains", phase_->activePhysics());
+    resetSums(U);
+    elapsed_ = phase_->exchangeInterval();
+
+    if (phase_->restarted())
+    {
+        // Beside the state of the grains, wherever the file handler keeps it
+        forces_->readState
+        (
+            fileHandler().filePath
+            (
+                mesh_.time().timePath()/granularPhase::stateFolder/"state"
+            ).path()
+        );
+        return;
+    }
+
+    forces_->start(pressureGradient);
+    phase_->setFluidForce
+    (
+        exchange_->toPhase(forces_->force(), phase_->size()),
+        exchange_->toPhase(forces_->torque(), phase_->size())
+    );
+}
+
+
+void Foam::demCoupling::moveGrains()
+{
+    const stageTimes::stage stage(times_, "moveGrains");
+    phase_->advance();
+}
+
+
+void Foam::demCoupling::locateGrains()
+{
+    const stageTimes::stage stage(times_, "locateGrains");
+    exchange_->locate(*phase_);
+
+    if (phase_->nEntered() > nEntered_)
+    {
+        nEntered_ = phase_->nEntered();
+        checkRegime();
+    }
+}
+
+
+void Foam::demCoupling::findVoidFraction()
+{
+    const stageTimes::stage stage(times_, "findVoidFraction");
+    solidBefore_ = solidAfter_;
+    porosity_->update();
+    solidAfter_ = porosity_->solidFraction();
+}
+
+
+void Foam::demCoupling::prepareForces(const fluidFields& fluid)
+{
+    const stageTimes::stage stage(times_, "prepareForces");
+    resetSums(fluid.U);
+    forces_->prepare(fluid, phase_->exchangeInterval());
+}
+
+
+Foam::scalarField Foam::demCoupling::targetVoidFraction
+(
+    const scalar dt
+) const
+{
+    const scalar done =
+        min((elapsed_ + dt)/phase_->exchangeInterval(), scalar(1));
+
+    return 1 - ((1 - done)*solidBefore_ + done*solidAfter_);
+}
+
+
+void Foam::demCoupling::addFluidStep
+(
+    const vectorField& U,
+    const scalarField& rho,
+    const surfaceScalarField& netForce,
+    const vectorField& pressureForce,
+    const vectorField& viscousForce,
+    const scalar dt
+)
+{
+    const vectorField net(forces_->division().atCells(netForce));
+
+    elapsed_ += dt;
+    sums_.U += dt*U;
+    sums_.rho += dt*rho;
+    sums_.pressureGradient += dt*(forces_->rest().gradient(rho) - net);
+    if (viscousForce.size())
+    {
+        sums_.viscousForce += dt*viscousForce;
+    }
+
+    // Cell by cell: the sums of both are large
+    forAll(net, cell)
+    {
+        sums_.fromPressure +=
+            dt*mesh_.V()[cell]*(pressureForce[cell] - net[cell]);
+    }
+}
+
+
+void Foam::demCoupling::setParticleForces(const vectorField& U)
+{
+    const stageTimes::stage stage(times_, "setParticleForces");
+
+    const fluidMeans means
+    {
+        sums_.U/elapsed_,
+        (U - startU_)/elapsed_,
+        sums_.pressureGradient/elapsed_,
+        sums_.viscousForce/elapsed_,
+        sums_.rho/elapsed_,
+        sums_.fromPressure/elapsed_
+    };
+
+    forces_->finish(means);
+    phase_->setFluidForce
+    (
+        exchange_->toPhase(forces_->force(), phase_->size()),
+        exchange_->toPhase(forces_->torque(), phase_->size())
+    );
+
+    report();
+}
+
+
+void Foam::demCoupling::report() const
+{
+    const scalar volume = porosity_->totalVolume();
+
+    Info<< "Grains: " << phase_->nTotal() << " = "
+        << returnReduce(exchange_->grains().size(), sumOp<label>())
+        << " located + " << exchange_->nOutside() << " outside; entered "
+        << phase_->nEntered() << ", left " << phase_->nLeft() << nl
+        << "Exchange: force residual " << forces_->residual()
+        << ", volume residual "
+        << mag(gSum(solidAfter_*mesh_.V()) - volume)/(volume + VSMALL)
+        << endl;
+}
