@@ -47,7 +47,7 @@ whole inOneCell
 
     grainExchange exchange(mesh);
     exchange.locate(phase);
-    porosity pores(exchange, entries(inOneCellEach));
+    voidFraction pores(exchange, entries(inOneCellEach));
     pores.update();
 
     interphaseForces forces(exchange, pores, entries(laws), g, N);
@@ -178,7 +178,7 @@ TEST(coarseGraining, parcelsThatPassEachOtherFeelDragOverNSquared)
 
         grainExchange exchange(mesh);
         exchange.locate(phase);
-        porosity pores(exchange, entries(inOneCellEach));
+        voidFraction pores(exchange, entries(inOneCellEach));
         pores.update();
 
         interphaseForces forces
@@ -226,7 +226,7 @@ TEST(obstacle, aHeldGrainGetsAllOfTheDragBesideOneThatMoves)
 
     grainExchange exchange(mesh);
     exchange.locate(phase);
-    porosity pores(exchange, entries(inOneCellEach));
+    voidFraction pores(exchange, entries(inOneCellEach));
     pores.update();
 
     interphaseForces forces

@@ -131,10 +131,11 @@ public:
                 IStringStream
                 (
                     "granularPhase LIGGGHTS; LIGGGHTS { walls"
-                    " { patches (\".*\"); type 1; } } exchange { interval 50; }"
+                    " { patches (\".*\"); type 1; } }"
                 )()
             ),
-            g
+            g,
+            50
         );
     }
 

@@ -3,6 +3,7 @@
 
 #include "demCoupling.H"
 #include "exchangeTime.H"
+#include "saidDuring.H"
 #include "testMesh.H"
 
 #include "OSspecific.H"
@@ -105,6 +106,30 @@ TEST(demCoupling, hasNoGrainsWithoutTheirDictionary)
 
     EXPECT_FALSE(grains.active());
     EXPECT_FALSE(grains.due());
+}
+
+
+TEST(demCoupling, refusesFormerAndUnknownKeysOfItsDictionary)
+{
+    const auto error = [](const std::string& entry)
+    {
+        boxOfWater w(entry);
+        return refusal
+        (
+            [&]{ demCoupling(w.box().mesh(), hydrostatics(g)); }
+        );
+    };
+
+    EXPECT_NE
+    (
+        error("porosity { model caps; }").find("Write voidFraction"),
+        std::string::npos
+    );
+    EXPECT_NE(error("poresity { }").find("Valid keywords"), std::string::npos);
+    EXPECT_NE
+    (
+        error("exchange { interval 0; }").find("1 or more"), std::string::npos
+    );
 }
 
 

@@ -55,7 +55,7 @@ struct sphere
 
     grainExchange exchange;
 
-    autoPtr<porosity> pores;
+    autoPtr<voidFraction> pores;
 
     autoPtr<interphaseForces> forces;
 
@@ -78,9 +78,9 @@ struct sphere
         exchange.locate(phase);
         pores.reset
         (
-            new porosity
+            new voidFraction
             (
-                exchange, entries("model centre; smoothing { model none; }")
+                exchange, entries("model centroid; smoothing { model none; }")
             )
         );
         pores->update();

@@ -21,7 +21,7 @@ struct loneGrain
 
     grainExchange exchange;
 
-    porosity pores;
+    voidFraction pores;
 
     explicit loneGrain(const scalar d)
     :

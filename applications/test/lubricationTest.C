@@ -53,7 +53,7 @@ struct approach
 
     grainExchange exchange;
 
-    autoPtr<porosity> pores;
+    autoPtr<voidFraction> pores;
 
     autoPtr<interphaseForces> forces;
 
@@ -78,9 +78,9 @@ struct approach
         exchange.locate(phase);
         pores.reset
         (
-            new porosity
+            new voidFraction
             (
-                exchange, entries("model centre; smoothing { model none; }")
+                exchange, entries("model centroid; smoothing { model none; }")
             )
         );
         pores->update();

@@ -55,9 +55,9 @@ vectorField viscousForces
     put(phase, places, d);
     grainExchange exchange(mesh);
     exchange.locate(phase);
-    porosity pores
+    voidFraction pores
     (
-        exchange, entries("model caps; smoothing { model none; }")
+        exchange, entries("model sphereCaps; smoothing { model none; }")
     );
     pores.update();
 

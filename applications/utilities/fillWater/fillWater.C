@@ -4,9 +4,9 @@
 #include "IOdictionary.H"
 #include "argList.H"
 #include "fvCFD.H"
-#include "granularPhase.H"
+#include "granularProperties.H"
 #include "keywords.H"
-#include "porosity.H"
+#include "voidFraction.H"
 
 using namespace Foam;
 
@@ -34,16 +34,12 @@ namespace
 
 
     //- The void fraction that the grains of the case leave
-    scalarField voidFraction(const fvMesh& mesh, const vector& g)
+    scalarField poresIn(const fvMesh& mesh, const vector& g)
     {
-        const dictionary dict
-        (
-            caseDictionary(mesh, "constant", "granularProperties")
-        );
-
-        const auto phase = granularPhase::New(mesh, dict, g);
+        const granularProperties dict(mesh);
+        const auto phase = dict.makePhase(mesh, g);
         grainExchange exchange(mesh);
-        porosity pores(exchange, dict.subOrEmptyDict("porosity"));
+        voidFraction pores(exchange, keywords::sub(dict, "voidFraction"));
 
         exchange.locate(*phase);
         pores.update();
@@ -204,7 +200,7 @@ int main(int argc, char *argv[])
         mesh
     );
 
-    const scalarField pores(voidFraction(mesh, g.value())*mesh.V());
+    const scalarField pores(poresIn(mesh, g.value())*mesh.V());
     const scalar level = levelOf(mass, density, mesh, box, pores, settings);
 
     alpha.primitiveFieldRef() = shares(mesh, box, level);

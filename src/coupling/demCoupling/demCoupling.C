@@ -3,11 +3,10 @@
 
 #include "demCoupling.H"
 
-#include "IOdictionary.H"
-#include "OSspecific.H"
 #include "Time.H"
 #include "activePhysics.H"
 #include "functionObject.H"
+#include "granularProperties.H"
 #include "keywords.H"
 
 Foam::demCoupling::demCoupling
@@ -27,40 +26,27 @@ Foam::demCoupling::demCoupling
         return;
     }
 
-    IOobject io
-    (
-        "granularProperties",
-        mesh.time().constant(),
-        mesh,
-        IOobject::MUST_READ,
-        IOobject::NO_WRITE
-    );
-
     // A file that is there is read, or told to be wrong
-    const fileName path
-    (
-        mesh.time().globalPath()/mesh.time().constant()/io.name()
-    );
-    if (!returnReduce(isFile(path), orOp<bool>()))
+    if (!granularProperties::present(mesh))
     {
         Info<< "No constant/granularProperties: no grains" << nl << endl;
         return;
     }
 
-    const IOdictionary dict(io);
+    const granularProperties dict(mesh);
 
-    phase_ = granularPhase::New(mesh, dict, rest.g());
+    phase_ = dict.makePhase(mesh, rest.g());
     exchange_.reset(new grainExchange(mesh));
-    porosity_.reset
+    voidFraction_.reset
     (
-        new porosity(*exchange_, keywords::sub(dict, "porosity"))
+        new voidFraction(*exchange_, keywords::sub(dict, "voidFraction"))
     );
     forces_.reset
     (
         new interphaseForces
         (
             *exchange_,
-            *porosity_,
+            *voidFraction_,
             keywords::sub(dict, "interphaseForces"),
             rest,
             phase_->coarseGraining()
@@ -166,8 +152,8 @@ void Foam::demCoupling::findVoidFraction()
 {
     const stageTimes::stage stage(times_, "findVoidFraction");
     solidBefore_ = solidAfter_;
-    porosity_->update();
-    solidAfter_ = porosity_->solidFraction();
+    voidFraction_->update();
+    solidAfter_ = voidFraction_->solidFraction();
 }
 
 
@@ -248,7 +234,7 @@ void Foam::demCoupling::setParticleForces(const vectorField& U)
 
 void Foam::demCoupling::report() const
 {
-    const scalar volume = porosity_->totalVolume();
+    const scalar volume = voidFraction_->mapping().totalVolume();
 
     Info<< "Grains: " << phase_->nTotal() << " = "
         << returnReduce(exchange_->grains().size(), sumOp<label>())

@@ -70,8 +70,8 @@ bool Foam::demCoupling::write()
     // Writing the state may bring grains to other ranks and in another order.
     // Sums in that order are what a restart finds, to the last bit
     locateGrains();
-    porosity_->update();
-    solidAfter_ = porosity_->solidFraction();
+    voidFraction_->update();
+    solidAfter_ = voidFraction_->solidFraction();
 
     return returnReduce(cloudComplete && stateComplete, andOp<bool>());
 }

@@ -14,7 +14,12 @@ namespace Foam
 const Foam::fileName Foam::granularPhase::stateFolder("uniform/granular");
 
 
-Foam::granularPhase::granularPhase(const fvMesh& mesh, const dictionary& dict)
+Foam::granularPhase::granularPhase
+(
+    const fvMesh& mesh,
+    const dictionary& dict,
+    const label stepsPerExchange
+)
 :
     regIOobject
     (
@@ -29,11 +34,7 @@ Foam::granularPhase::granularPhase(const fvMesh& mesh, const dictionary& dict)
     ),
     mesh_(mesh),
     coarseGraining_(dict.lookupOrDefault<scalar>("coarseGraining", 1)),
-    stepsPerExchange_
-    (
-        keywords::sub(dict, "exchange", {"interval"})
-            .lookupOrDefault<label>("interval", 10)
-    )
+    stepsPerExchange_(stepsPerExchange)
 {
     if (coarseGraining_ < 1)
     {
@@ -42,14 +43,24 @@ Foam::granularPhase::granularPhase(const fvMesh& mesh, const dictionary& dict)
             << ": one computed grain cannot stand for less than one grain."
             << " Give 1 or more." << exit(FatalIOError);
     }
+}
 
-    if (stepsPerExchange_ < 1)
-    {
-        FatalIOErrorInFunction(dict)
-            << "exchange/interval is " << stepsPerExchange_
-            << ": give the number of DEM steps between two exchanges,"
-            << " 1 or more (default 10)." << exit(FatalIOError);
-    }
+
+Foam::word Foam::granularPhase::methodOf(const dictionary& dict)
+{
+    return keywords::choice
+    (
+        dict,
+        typeName,
+        "granular method",
+        dictionaryConstructorTablePtr_->sortedToc()
+    );
+}
+
+
+Foam::wordList Foam::granularPhase::keywordsIn(const dictionary& dict)
+{
+    return wordList({typeName, methodOf(dict), "coarseGraining"});
 }
 
 
@@ -57,25 +68,14 @@ Foam::autoPtr<Foam::granularPhase> Foam::granularPhase::New
 (
     const fvMesh& mesh,
     const dictionary& dict,
-    const vector& g
+    const vector& g,
+    const label stepsPerExchange
 )
 {
-    const auto& table = *dictionaryConstructorTablePtr_;
-    const word modelType
+    return dictionaryConstructorTablePtr_->cfind(methodOf(dict)).val()
     (
-        keywords::choice(dict, typeName, "granular method", table.sortedToc())
+        mesh, dict, g, stepsPerExchange
     );
-
-    keywords::check
-    (
-        dict,
-        {
-            "FoamFile", typeName, modelType, "coarseGraining", "exchange",
-            "porosity", "interphaseForces"
-        }
-    );
-
-    return table.cfind(modelType).val()(mesh, dict, g);
 }
 
 

@@ -48,10 +48,11 @@ Foam::liggghtsPhase::liggghtsPhase
 (
     const fvMesh& mesh,
     const dictionary& dict,
-    const vector& g
+    const vector& g,
+    const label stepsPerExchange
 )
 :
-    granularPhase(mesh, dict),
+    granularPhase(mesh, dict, stepsPerExchange),
     dict_
     (
         keywords::sub

@@ -19,14 +19,15 @@ namespace
 Foam::interphaseForces::interphaseForces
 (
     const grainExchange& exchange,
-    const porosity& porosity,
+    const voidFraction& pores,
     const dictionary& dict,
     const hydrostatics& rest,
     const scalar coarseGraining
 )
 :
     exchange_(exchange),
-    porosity_(porosity),
+    voidFraction_(pores),
+    mapping_(pores.mapping()),
     rest_(rest),
     coarseGraining_(coarseGraining),
     laws_(exchange.mesh(), dict),
@@ -85,8 +86,8 @@ void Foam::interphaseForces::findMeanVelocity()
     }
 
     meanVelocity_ =
-        porosity_.gather(porosity_.spread(vectorField(mass*meanVelocity_)))
-       /porosity_.gather(porosity_.spread(mass));
+        mapping_.gather(mapping_.spread(vectorField(mass*meanVelocity_)))
+       /mapping_.gather(mapping_.spread(mass));
 }
 
 
@@ -103,13 +104,13 @@ Foam::Field<Foam::fluidAtGrain> Foam::interphaseForces::fluidAround
     (
         cells,
         fluidAtGrain::momentum,
-        porosity_.smoothed(vectorField(rho_*fluid.U))
+        mapping_.smoothed(vectorField(rho_*fluid.U))
     );
     fluidAtGrain::set
     (
         cells,
         fluidAtGrain::vorticity,
-        porosity_.smoothed(vectorField(rho_*fluid.vorticity))
+        mapping_.smoothed(vectorField(rho_*fluid.vorticity))
     );
 
     // Of the fluid at hand, for the laws
@@ -117,7 +118,7 @@ Foam::Field<Foam::fluidAtGrain> Foam::interphaseForces::fluidAround
     fluidAtGrain::set(cells, fluidAtGrain::mu, fluid.mu);
     fluidAtGrain::set(cells, fluidAtGrain::voidFraction, fluid.voidFraction);
 
-    return porosity_.weights().reached(std::move(cells));
+    return mapping_.weights().reached(std::move(cells));
 }
 
 
@@ -132,22 +133,22 @@ Foam::Field<Foam::meanAtGrain> Foam::interphaseForces::meansAround
     (
         cells,
         meanAtGrain::rhoAround,
-        porosity_.smoothed(means.rho)
+        mapping_.smoothed(means.rho)
     );
     meanAtGrain::set
     (
         cells,
         meanAtGrain::momentum,
-        porosity_.smoothed(vectorField(rho_*means.U))
+        mapping_.smoothed(vectorField(rho_*means.U))
     );
     meanAtGrain::set
     (
         cells,
         meanAtGrain::pressureGradient,
-        porosity_.smoothed(means.pressureGradient)
+        mapping_.smoothed(means.pressureGradient)
     );
 
-    return porosity_.weights().reached(std::move(cells));
+    return mapping_.weights().reached(std::move(cells));
 }
 
 
@@ -173,7 +174,7 @@ Foam::Field<Foam::flowAtGrain> Foam::interphaseForces::flowAround
         (
             cells,
             flowAtGrain::acceleration,
-            porosity_.smoothed(vectorField(rho_*acceleration))
+            mapping_.smoothed(vectorField(rho_*acceleration))
         );
     }
     if (shears)
@@ -182,11 +183,11 @@ Foam::Field<Foam::flowAtGrain> Foam::interphaseForces::flowAround
         (
             cells,
             flowAtGrain::viscousForce,
-            porosity_.smoothed(viscousForce)
+            mapping_.smoothed(viscousForce)
         );
     }
 
-    return porosity_.weights().reached(std::move(cells));
+    return mapping_.weights().reached(std::move(cells));
 }
 
 
@@ -197,7 +198,7 @@ inline Foam::flowAtGrain Foam::interphaseForces::flowAt
 ) const
 {
     return
-        around.size() ? porosity_.weights().mean(around, i) : flowAtGrain(Zero);
+        around.size() ? mapping_.weights().mean(around, i) : flowAtGrain(Zero);
 }
 
 
@@ -275,7 +276,7 @@ inline void Foam::interphaseForces::setForce
 )
 {
     const locatedGrain& grain = exchange_.grains()[i];
-    const scalar volume = porosity_.volumes()[i];
+    const scalar volume = mapping_.volumes()[i];
     const scalar N3 = pow3(coarseGraining_);
     const scalar perRho = 1/rhoAround;
     const vector U(state.slip + meanVelocity(i));
@@ -352,7 +353,7 @@ void Foam::interphaseForces::prepare
     const label n = exchange_.grains().size();
 
     rho_ = fluid.rho;
-    rhoSmoothed_ = porosity_.smoothed(rho_);
+    rhoSmoothed_ = mapping_.smoothed(rho_);
     drag0_.setSize(n);
     virtualMass0_.setSize(n);
     pressure0_.setSize(n);
@@ -365,7 +366,7 @@ void Foam::interphaseForces::prepare
     const scalarField dSauter
     (
         laws_.drag->usesSauterDiameter()
-      ? porosity_.sauterDiameter()
+      ? mapping_.sauterDiameter()
       : scalarField()
     );
     const Field<fluidAtGrain> around(fluidAround(fluid));
@@ -373,7 +374,7 @@ void Foam::interphaseForces::prepare
     (
         flowAround(fluid.convection, fluid.viscousForce)
     );
-    const cellWeights& weights = porosity_.weights();
+    const cellWeights& weights = mapping_.weights();
     Field<givenByGrain> given(weights.noSums<givenByGrain>());
 
     // What a block of grains is asked for stays in the nearest cache
@@ -435,19 +436,19 @@ void Foam::interphaseForces::prepare
 
 void Foam::interphaseForces::setCells(Field<givenByGrain>&& sums)
 {
-    dragCoefficient_ = rho_*porosity_.perVolume
+    dragCoefficient_ = rho_*mapping_.perVolume
     (
         givenByGrain::numbers(sums, givenByGrain::drag)
     );
-    virtualMassCoefficient_ = rho_*porosity_.perVolume
+    virtualMassCoefficient_ = rho_*mapping_.perVolume
     (
         givenByGrain::numbers(sums, givenByGrain::virtualMass)
     );
-    explicitForce_ = rho_*porosity_.perVolume
+    explicitForce_ = rho_*mapping_.perVolume
     (
         givenByGrain::vectors(sums, givenByGrain::explicitForce)
     );
-    pressureShare_ = porosity_.perVolume
+    pressureShare_ = mapping_.perVolume
     (
         givenByGrain::numbers(sums, givenByGrain::pressureShare)
     );
@@ -456,7 +457,7 @@ void Foam::interphaseForces::setCells(Field<givenByGrain>&& sums)
 
 void Foam::interphaseForces::start(const vectorField& pressureGradient)
 {
-    const vectorField gradient(porosity_.gather(pressureGradient));
+    const vectorField gradient(mapping_.gather(pressureGradient));
 
     force_.setSize(gradient.size());
     torque_.setSize(gradient.size());
@@ -465,7 +466,7 @@ void Foam::interphaseForces::start(const vectorField& pressureGradient)
     forAll(force_, i)
     {
         force_[i] =
-           -laws_.pressureGradient*porosity_.volumes()[i]*gradient[i];
+           -laws_.pressureGradient*mapping_.volumes()[i]*gradient[i];
     }
 }
 
@@ -477,8 +478,8 @@ void Foam::interphaseForces::finish(const fluidMeans& means)
     (
         flowAround(means.acceleration, means.viscousForce)
     );
-    const cellWeights& weights = porosity_.weights();
-    const scalarField& volumes = porosity_.volumes();
+    const cellWeights& weights = mapping_.weights();
+    const scalarField& volumes = mapping_.volumes();
     const label n = exchange_.grains().size();
 
     force_.setSize(n);
@@ -526,7 +527,7 @@ void Foam::interphaseForces::finish(const fluidMeans& means)
 void Foam::interphaseForces::sumUp(const fluidMeans& means)
 {
     const scalarField& volume = exchange_.mesh().V();
-    const scalarField& solid = porosity_.solidFraction();
+    const scalarField& solid = voidFraction_.solidFraction();
     vector taken(-means.fromPressure);
 
     forAll(volume, cell)

@@ -2,10 +2,11 @@
 // Void fraction from grains: conservation, adjointness, over-full cells.
 
 #include "diffusion.H"
-#include "porosity.H"
 #include "otherMeshes.H"
+#include "saidDuring.H"
 #include "scatteredGrains.H"
 #include "testNumber.H"
+#include "voidFraction.H"
 
 #include "volFields.H"
 
@@ -57,7 +58,7 @@ scalar volumeOf(const label n)
 
 
 //- Relative difference of the grains' volume and that in the cells
-scalar lostVolume(const fvMesh& mesh, const porosity& p, const label n)
+scalar lostVolume(const fvMesh& mesh, const voidFraction& p, const label n)
 {
     return
         mag(gSum(p.solidFraction()*mesh.V().field()) - volumeOf(n))/volumeOf(n);
@@ -69,7 +70,7 @@ scalar adjointError
 (
     const fvMesh& mesh,
     const grainExchange& exchange,
-    const porosity& p
+    const voidFraction& p
 )
 {
     scalarField a(exchange.grains().size());
@@ -84,8 +85,8 @@ scalar adjointError
         u[cell] = std::cos(mesh.C()[cell] & vector(13, 29, 17));
     }
 
-    const scalarField cells(mesh.V().field()*p.spread(a)*u);
-    const scalarField grains(a*p.gather(u));
+    const scalarField cells(mesh.V().field()*p.mapping().spread(a)*u);
+    const scalarField grains(a*p.mapping().gather(u));
 
     return mag(gSum(cells) - gSum(grains))/(gSum(mag(cells)) + VSMALL);
 }
@@ -116,7 +117,7 @@ void expectConserved(const testBox& b, const word& model, const bool skewed)
 
     for (const word smoothing : {"none", "diffusion"})
     {
-        porosity p(exchange, settings(model, smoothing));
+        voidFraction p(exchange, settings(model, smoothing));
         p.update();
 
         const scalar lost = lostVolume(test.mesh(), p, places.size());
@@ -174,7 +175,7 @@ void expectShifted(const word& model)
         grainExchange exchange(test.mesh());
         exchange.locate(phase);
 
-        porosity p(exchange, settings(model, "diffusion"));
+        voidFraction p(exchange, settings(model, "diffusion"));
         p.update();
         const scalarField all(global(test.mesh(), p.solidFraction()));
 
@@ -210,7 +211,7 @@ void expectSpread()
     grainExchange exchange(test.mesh());
     exchange.locate(phase);
 
-    porosity p(exchange, settings("divided", "none"));
+    voidFraction p(exchange, settings("satellitePoints", "none"));
     p.update();
 
     const scalar lost = lostVolume(test.mesh(), p, 60);
@@ -228,7 +229,7 @@ void expectSpread()
 
 
 //- Volume of a grain at p in the cell around each of the places, over the
-//  grain's own, with caps and without smoothing
+//  grain's own, with sphereCaps and without smoothing
 scalarList capShares
 (
     const testBox& b,
@@ -242,7 +243,7 @@ scalarList capShares
     grainExchange exchange(test.mesh());
     exchange.locate(phase);
 
-    porosity pores(exchange, settings("caps", "none"));
+    voidFraction pores(exchange, settings("sphereCaps", "none"));
     pores.update();
     EXPECT_EQ(pores.spreadVolume(), 0);
 
@@ -285,9 +286,9 @@ vector secondMoment
 } // End anonymous namespace
 
 
-TEST(porosity, keepsVolumeAndIsItsOwnAdjoint)
+TEST(voidFraction, keepsVolumeAndIsItsOwnAdjoint)
 {
-    for (const word model : {"centre", "divided", "caps"})
+    for (const word model : {"centroid", "satellitePoints", "sphereCaps"})
     {
         expectConserved(box(), model, false);
         expectConserved(periodicBox(), model, false);
@@ -295,32 +296,32 @@ TEST(porosity, keepsVolumeAndIsItsOwnAdjoint)
 }
 
 
-TEST(porosity, keepsVolumeInASkewedAndGradedMesh)
+TEST(voidFraction, keepsVolumeInASkewedAndGradedMesh)
 {
     testBox b(box());
     b.patches.fill("wall");
 
-    for (const word model : {"centre", "divided", "caps"})
+    for (const word model : {"centroid", "satellitePoints", "sphereCaps"})
     {
         expectConserved(b, model, true);
     }
 }
 
 
-TEST(porosity, spreadsWhatDoesNotFitAndLosesNothing)
+TEST(voidFraction, spreadsWhatDoesNotFitAndLosesNothing)
 {
     expectSpread();
 }
 
 
-TEST(porosity, shiftsWithTheGrains)
+TEST(voidFraction, shiftsWithTheGrains)
 {
-    expectShifted("divided");
-    expectShifted("caps");
+    expectShifted("satellitePoints");
+    expectShifted("sphereCaps");
 }
 
 
-TEST(caps, aGrainBesideAFaceHasItsCapBeyond)
+TEST(sphereCaps, aGrainBesideAFaceHasItsCapBeyond)
 {
     // Middle of a cell, and of those around
     const point c(0.4375, 0.4375, 0.4375);
@@ -361,7 +362,7 @@ TEST(caps, aGrainBesideAFaceHasItsCapBeyond)
 }
 
 
-TEST(caps, aGrainOnACornerIsInEightEqualParts)
+TEST(sphereCaps, aGrainOnACornerIsInEightEqualParts)
 {
     const point corner(0.5, 0.5, 0.5);
     pointField around;
@@ -426,7 +427,7 @@ scalar largestChange(const word& model, const word& smoothing)
         place(phase, pointField(1, point(0.5 + 2e-5*step, 0.41, 0.43)), radius);
         grainExchange exchange(test.mesh());
         exchange.locate(phase);
-        porosity pores(exchange, settings(model, smoothing));
+        voidFraction pores(exchange, settings(model, smoothing));
         pores.update();
         const scalarField now(pores.solidFraction()*test.mesh().V()/volumeOf(1));
 
@@ -442,17 +443,17 @@ scalar largestChange(const word& model, const word& smoothing)
 }
 
 
-TEST(caps, aGrainMovesItsVolumeInProportionAtRefinedCells)
+TEST(sphereCaps, aGrainMovesItsVolumeInProportionAtRefinedCells)
 {
     // The largest section of the grain passes a face: 3/4 of step over radius
     const scalar inProportion = 0.75*2e-5/radius;
 
-    EXPECT_LT(largestChange("caps", "none"), 1.001*inProportion);
-    EXPECT_LT(largestChange("caps", "diffusion"), inProportion);
+    EXPECT_LT(largestChange("sphereCaps", "none"), 1.001*inProportion);
+    EXPECT_LT(largestChange("sphereCaps", "diffusion"), inProportion);
 }
 
 
-TEST(caps, aGrainOnARefinedFaceIsHalfInTheLargeCell)
+TEST(sphereCaps, aGrainOnARefinedFaceIsHalfInTheLargeCell)
 {
     testMesh test(box());
     refineBeyond(test.mesh(), 0.5);
@@ -461,7 +462,7 @@ TEST(caps, aGrainOnARefinedFaceIsHalfInTheLargeCell)
     place(phase, pointField(1, p), radius);
     grainExchange exchange(test.mesh());
     exchange.locate(phase);
-    porosity pores(exchange, settings("caps", "none"));
+    voidFraction pores(exchange, settings("sphereCaps", "none"));
     pores.update();
 
     const scalarField shares(pores.solidFraction()*test.mesh().V()/volumeOf(1));
@@ -474,7 +475,7 @@ TEST(caps, aGrainOnARefinedFaceIsHalfInTheLargeCell)
 }
 
 
-TEST(caps, aCellThinnerThanTheGrainHasCapsOnBothSides)
+TEST(sphereCaps, aCellThinnerThanTheGrainHasCapsOnBothSides)
 {
     testBox thin(box());
     thin.cells = labelVector(12, 8, 8);
@@ -518,7 +519,7 @@ TEST(diffusion, aPointBecomesABellCurveOfTheWidth)
     // middle, is none
     const scalar exact = sqr(2*d)/2;
 
-    porosity pores(exchange, settings("centre", "diffusion"));
+    voidFraction pores(exchange, settings("centroid", "diffusion"));
     pores.update();
     const vector moment
     (
@@ -537,7 +538,7 @@ TEST(diffusion, aPointBecomesABellCurveOfTheWidth)
     (
         mag
         (
-            secondMoment(test.mesh(), pores.smoothed(one), middle)
+            secondMoment(test.mesh(), pores.mapping().smoothed(one), middle)
           - vector::uniform(exact)
         ),
         1e-9*exact
@@ -599,26 +600,51 @@ TEST(diffusion, narrowSmoothingKeepsItsSteps)
 }
 
 
-TEST(porosity, refusesAnUnknownModelWithTheChoices)
+TEST(voidFraction, refusesAnUnknownModelWithTheChoices)
 {
     testMesh test(box());
     grainExchange exchange(test.mesh());
 
     try
     {
-        porosity p(exchange, settings("halved", "none"));
+        voidFraction p(exchange, settings("halved", "none"));
         FAIL() << "no error";
     }
     catch (const Foam::error& e)
     {
-        EXPECT_NE(e.message().find("divided"), std::string::npos);
+        EXPECT_NE(e.message().find("satellitePoints"), std::string::npos);
     }
 }
 
 
-TEST(ParallelPorosity, keepsVolumeAndIsItsOwnAdjoint)
+TEST(voidFraction, formerNamesOfModelsAreErrorsThatSayThePresentOnes)
 {
-    for (const word model : {"centre", "divided", "caps"})
+    testMesh test(box());
+    grainExchange exchange(test.mesh());
+    const HashTable<word> present
+    ({
+        {"caps", "sphereCaps"},
+        {"divided", "satellitePoints"},
+        {"centre", "centroid"}
+    });
+
+    forAllConstIters(present, model)
+    {
+        EXPECT_NE
+        (
+            refusal
+            (
+                [&]{ voidFraction p(exchange, settings(model.key(), "none")); }
+            ).find("Write " + model.val()),
+            std::string::npos
+        );
+    }
+}
+
+
+TEST(ParallelVoidFraction, keepsVolumeAndIsItsOwnAdjoint)
+{
+    for (const word model : {"centroid", "satellitePoints", "sphereCaps"})
     {
         expectConserved(box(), model, false);
         expectConserved(periodicBox(), model, false);
@@ -626,23 +652,23 @@ TEST(ParallelPorosity, keepsVolumeAndIsItsOwnAdjoint)
 }
 
 
-TEST(ParallelPorosity, spreadsWhatDoesNotFitAndLosesNothing)
+TEST(ParallelVoidFraction, spreadsWhatDoesNotFitAndLosesNothing)
 {
     expectSpread();
 }
 
 
-TEST(ParallelPorosity, isTheSameWhereverTheRanksMeet)
+TEST(ParallelVoidFraction, isTheSameWhereverTheRanksMeet)
 {
-    expectShifted("divided");
-    expectShifted("caps");
+    expectShifted("satellitePoints");
+    expectShifted("sphereCaps");
 }
 
 
 //- On a refined mesh each cell holds the points of a grain that lie in it,
 //  whatever ranks the grain reaches over. One grain at a time: what of several does
 //  not fit into a cell is spread
-TEST(ParallelPorosity, capsAreTheVolumesOfRandomPointsAtRefinedCells)
+TEST(ParallelVoidFraction, capsAreTheVolumesOfRandomPointsAtRefinedCells)
 {
     testMesh test(box());
     refineBeyond(test.mesh(), 0.5);
@@ -650,7 +676,7 @@ TEST(ParallelPorosity, capsAreTheVolumesOfRandomPointsAtRefinedCells)
     (
         randomPoints(6, point(0.4, 0.3, 0.3), point(0.6, 0.7, 0.7))
     );
-    dictionary dict(settings("caps", "none"));
+    dictionary dict(settings("sphereCaps", "none"));
     dict.add("minimum", 1e-6);
 
     for (const scalar r : {0.05, 0.15})
@@ -664,7 +690,7 @@ TEST(ParallelPorosity, capsAreTheVolumesOfRandomPointsAtRefinedCells)
             place(phase, pointField(1, centre), r);
             grainExchange exchange(test.mesh());
             exchange.locate(phase);
-            porosity pores(exchange, dict);
+            voidFraction pores(exchange, dict);
             pores.update();
 
             scalarField expected(test.mesh().nCells(), Zero);

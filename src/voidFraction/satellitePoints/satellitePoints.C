@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Porosity: a grain is divided over the cells that its points lie in.
+// Void fraction: a grain is points, each in the cell that it lies in.
 
-#include "divided.H"
+#include "satellitePoints.H"
 
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
 {
-namespace porosityModels
+namespace voidFractionModels
 {
-    defineTypeName(divided);
-    addToRunTimeSelectionTable(porosityModel, divided, dictionary);
+    defineTypeName(satellitePoints);
+    addToRunTimeSelectionTable(voidFractionModel, satellitePoints, dictionary);
 }
 }
 
 
-Foam::porosityModels::divided::divided(const dictionary&)
+Foam::voidFractionModels::satellitePoints::satellitePoints(const dictionary&)
 {
     // Each shell's points stand where half of its volume is within: the
     // shells reach from 1/29 to 15/29 and to 29/29 of the volume
@@ -51,7 +51,7 @@ Foam::porosityModels::divided::divided(const dictionary&)
 }
 
 
-void Foam::porosityModels::divided::addShares
+void Foam::voidFractionModels::satellitePoints::addShares
 (
     const locatedGrain& grain,
     const meshWalker& walker,

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The dictionary of the grains, constant/granularProperties.
+
+#include "granularProperties.H"
+
+#include "DynamicList.H"
+#include "OSspecific.H"
+#include "Time.H"
+#include "keywords.H"
+
+Foam::granularProperties::granularProperties(const fvMesh& mesh)
+:
+    IOdictionary
+    (
+        IOobject
+        (
+            "granularProperties",
+            mesh.time().constant(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    ),
+    stepsPerExchange_
+    (
+        keywords::sub(*this, "exchange", {"interval"})
+            .lookupOrDefault<label>("interval", 10)
+    )
+{
+    DynamicList<word> known(granularPhase::keywordsIn(*this));
+    for
+    (
+        const word key :
+        {"FoamFile", "exchange", "voidFraction", "interphaseForces"}
+    )
+    {
+        known.append(key);
+    }
+    keywords::checkRenamed(*this, {{"porosity", "voidFraction"}});
+    keywords::check(*this, known);
+
+    if (stepsPerExchange_ < 1)
+    {
+        FatalIOErrorInFunction(*this)
+            << "exchange/interval is " << stepsPerExchange_
+            << ": give the number of DEM steps between two exchanges,"
+            << " 1 or more (default 10)." << exit(FatalIOError);
+    }
+}
+
+
+bool Foam::granularProperties::present(const fvMesh& mesh)
+{
+    const fileName path
+    (
+        mesh.time().globalPath()/mesh.time().constant()/"granularProperties"
+    );
+
+    return returnReduce(isFile(path), orOp<bool>());
+}
+
+
+Foam::autoPtr<Foam::granularPhase> Foam::granularProperties::makePhase
+(
+    const fvMesh& mesh,
+    const vector& g
+) const
+{
+    return granularPhase::New(mesh, *this, g, stepsPerExchange_);
+}
