@@ -106,7 +106,7 @@ Foam::liggghtsPhase::liggghtsPhase
     nInserted_ = nInserted();
 
     Info<< "    " << nGrains_ << " grains, step " << timeStep()
-        << " s, exchange every " << stepsPerExchange() << " steps = "
+        << " s, exchange every " << stepsPerExchange << " steps = "
         << exchangeInterval() << " s" << nl;
 
     const std::string stock(liggghts_.whyContactsAreStock());
