@@ -2,7 +2,9 @@
 // Unit tests: what the drag laws give where the answer is known.
 
 #include "SubList.H"
+#include "closuresInUse.H"
 #include "forceLaws.H"
+#include "testMesh.H"
 
 using namespace Foam;
 using namespace Foam::forceLaws;
@@ -399,7 +401,12 @@ TEST(drag, SchillerNaumannDoesNotSeeTheNeighbours)
 
 TEST(drag, noneIsNothing)
 {
-    EXPECT_EQ(law<dragModel>("model none;")->K(atReynolds(inWater(), 9)), 0);
+    testMesh box;
+    scalarField K(3, 1);
+    closuresInUse(box.mesh(), entries("drag { model none; }"))
+        .dragCoefficients(List<grainState>(3, atReynolds(inWater(), 9)), K);
+
+    EXPECT_EQ(K, scalarField(3, Zero));
 }
 
 

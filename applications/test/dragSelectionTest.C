@@ -13,7 +13,7 @@ namespace
 const char* const names[]
 {
     "DiFelice", "Gidaspow", "Ergun", "KochHill", "Beetstra",
-    "SchillerNaumann", "none"
+    "SchillerNaumann"
 };
 
 
@@ -36,6 +36,7 @@ TEST(dragSelection, everyLawIsThereUnderItsName)
             law<dragModel>("model " + name + ";")->type(), name
         );
     }
+    EXPECT_FALSE(law<dragModel>("model none;").valid());
 }
 
 
@@ -45,6 +46,7 @@ TEST(dragSelection, anUnknownNameListsTheValidOnes)
     {
         expectError<dragModel>("model DiFelise;", {"DiFelise", name});
     }
+    expectError<dragModel>("model DiFelise;", {"none"});
 }
 
 
@@ -148,6 +150,29 @@ TEST(dragSelection, strengthBetweenBlendsLinearly)
             (1 - s)*base + s*model
         );
     }
+}
+
+
+TEST(dragSelection, noneIsABaseAndAModel)
+{
+    const scalar model = law<dragModel>("model KochHill;")->K(someState());
+
+    EXPECT_DOUBLE_EQ
+    (
+        law<dragModel>("model KochHill; base none; strength 0.3;")
+            ->K(someState()),
+        0.3*model
+    );
+    EXPECT_DOUBLE_EQ
+    (
+        law<dragModel>("model none; base KochHill; strength 0.3;")
+            ->K(someState()),
+        0.7*model
+    );
+    EXPECT_FALSE
+    (
+        law<dragModel>("model KochHill; base none; strength 0;").valid()
+    );
 }
 
 

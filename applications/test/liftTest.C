@@ -2,8 +2,9 @@
 // Unit tests of the lift laws.
 
 #include "SubList.H"
+#include "closuresInUse.H"
 #include "forceLaws.H"
-#include "liftModel.H"
+#include "testMesh.H"
 
 using namespace Foam;
 using namespace Foam::forceLaws;
@@ -44,10 +45,11 @@ void expectVector(const vector& a, const vector& b, const scalar relative)
 
 TEST(lift, everyLawIsThereUnderItsName)
 {
-    for (const std::string name : {"LunLiu", "SaffmanMei", "none"})
+    for (const std::string name : {"LunLiu", "SaffmanMei"})
     {
         EXPECT_EQ(law<liftModel>("model " + name + ";")->type(), name);
     }
+    EXPECT_FALSE(law<liftModel>("model none;").valid());
 }
 
 
@@ -57,8 +59,9 @@ TEST(lift, wrongInputListsWhatIsValid)
     expectError<liftModel>("", {"model", "missing", "none"});
     expectError<liftModel>("model LunLiu; force 1;", {"force", "strength"});
     expectError<liftModel>("model LunLiu; base none;", {"keyword base"});
-    expectError<liftModel>("model LunLiu; strength 2;", {"strength"});
-    expectError<liftModel>("model Lun; strength 0;", {"Lun", "LunLiu"});
+    expectError<liftModel>("model none; force 1;", {"Unknown keyword force"});
+    expectScaledError<liftModel>("model LunLiu; strength 2;", {"strength"});
+    expectScaledError<liftModel>("model Lun; strength 0;", {"Lun", "LunLiu"});
 }
 
 
@@ -195,24 +198,29 @@ TEST(lift, vanishesContinuouslyWithTheSlip)
 TEST(lift, strengthZeroIsNothingAndBetweenIsInProportion)
 {
     const grainState state = inShear(10, 0.02);
+    testMesh box;
 
     for (const std::string name : {"LunLiu", "SaffmanMei"})
     {
-        const std::string model = "model " + name + ";";
-        const vector full = law<liftModel>(model)->force(state);
+        const std::string model = "lift { model " + name + "; ";
+        const auto lift = [&](const std::string& strength)
+        {
+            vectorField forces(1, vector(1, 2, 3));
+            closuresInUse(box.mesh(), entries(model + strength + "}"))
+                .liftForces(List<grainState>(1, state), forces);
+            return forces[0];
+        };
+        const vector full = lift("");
+        const vector none = lift("strength 0;");
 
-        const vector none =
-            law<liftModel>(model + "strength 0;")->force(state);
-        const vector part =
-            law<liftModel>(model + "strength 0.3;")->force(state);
-
+        EXPECT_EQ(full, law<liftModel>("model " + name + ";")->force(state));
         for (direction i = 0; i < 3; ++i)
         {
             EXPECT_EQ(none[i], 0);
             EXPECT_FALSE(std::signbit(none[i]));
         }
         EXPECT_GT(mag(full), 0);
-        expectVector(part, 0.3*full, 1e-15);
+        expectVector(lift("strength 0.3;"), 0.3*full, 1e-15);
     }
 }
 

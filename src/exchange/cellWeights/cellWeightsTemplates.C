@@ -4,9 +4,9 @@
 #include "swapLists.H"
 
 template<class T>
-Foam::Field<T> Foam::cellWeights::reached(Field<T>&& cells) const
+Foam::List<T> Foam::cellWeights::reached(List<T>&& cells) const
 {
-    Field<T> values(std::move(cells));
+    List<T> values(std::move(cells));
 
     if (Pstream::parRun())
     {
@@ -50,7 +50,7 @@ inline T Foam::cellWeights::mean
 template<class T>
 Foam::Field<T> Foam::cellWeights::gather(const UList<T>& cells) const
 {
-    const Field<T> values(reached(Field<T>(cells)));
+    const List<T> values(reached(List<T>(cells)));
     Field<T> result(nGrains());
 
     forAll(result, grain)
@@ -63,7 +63,7 @@ Foam::Field<T> Foam::cellWeights::gather(const UList<T>& cells) const
 
 
 template<class T>
-Foam::Field<T> Foam::cellWeights::noSums() const
+Foam::List<T> Foam::cellWeights::noSums() const
 {
     label nSlots = nCells_;
     for (const labelList& cells : theirs_)
@@ -71,7 +71,7 @@ Foam::Field<T> Foam::cellWeights::noSums() const
         nSlots += cells.size();
     }
 
-    return Field<T>(nSlots, T(Zero));
+    return List<T>(nSlots, T{});
 }
 
 
@@ -91,7 +91,7 @@ inline void Foam::cellWeights::add
 
 
 template<class T>
-void Foam::cellWeights::bringHome(Field<T>& sums) const
+void Foam::cellWeights::bringHome(List<T>& sums) const
 {
     if (!Pstream::parRun())
     {

@@ -3,8 +3,6 @@
 
 #include "closuresInUse.H"
 
-#include "closure.H"
-
 namespace
 {
     using namespace Foam;
@@ -64,12 +62,9 @@ namespace
 Foam::closuresInUse::closuresInUse(const fvMesh& mesh, const dictionary& dict)
 :
     drag(dragModel::New(family(dict, "drag", "DiFelice"))),
-    lift(liftModel::New(family(dict, "lift", "none"))),
-    virtualMass(virtualMassModel::New(family(dict, "virtualMass", "none"))),
-    rotationalDrag
-    (
-        rotationalDragModel::New(family(dict, "rotationalDrag", "Dennis"))
-    ),
+    lift(family(dict, "lift", "none")),
+    virtualMass(family(dict, "virtualMass", "none")),
+    rotationalDrag(family(dict, "rotationalDrag", "Dennis")),
     lubrication(mesh, offIfAbsent(dict, "lubrication")),
     history(offIfAbsent(dict, "history")),
     pressureGradient(strength(dict, "pressureGradient")),
@@ -90,6 +85,43 @@ Foam::closuresInUse::closuresInUse(const fvMesh& mesh, const dictionary& dict)
     active.add("viscousForce", told(viscousForce));
 
     keywords::check(dict, active.sortedToc());
+}
+
+
+void Foam::closuresInUse::dragCoefficients
+(
+    const UList<grainState>& states,
+    UList<scalar>& K
+) const
+{
+    if (drag.valid())
+    {
+        drag->K(states, K);
+    }
+    else
+    {
+        K = 0;
+    }
+}
+
+
+void Foam::closuresInUse::liftForces
+(
+    const UList<grainState>& states,
+    UList<vector>& forces
+) const
+{
+    if (!lift.on())
+    {
+        forces = vector::zero;
+        return;
+    }
+
+    lift.law().force(states, forces);
+    for (vector& force : forces)
+    {
+        force *= lift.strength();
+    }
 }
 
 

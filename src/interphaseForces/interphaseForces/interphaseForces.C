@@ -61,7 +61,7 @@ void Foam::interphaseForces::setTorque
     const scalar inertia =
         grain.mobile ? 0.4*grain.mass*sqr(grain.radius) : GREAT;
     const scalar c =
-        pow5(coarseGraining_)*laws_.rotationalDrag->coefficient(state);
+        pow5(coarseGraining_)*laws_.rotationalDragCoefficient(state);
 
     torque_[i] = c/(1 + c*interval/inertia)*state.relativeSpin;
 }
@@ -91,60 +91,60 @@ void Foam::interphaseForces::findMeanVelocity()
 }
 
 
-Foam::Field<Foam::fluidAtGrain> Foam::interphaseForces::fluidAround
+Foam::List<Foam::fluidAtGrain> Foam::interphaseForces::fluidAround
 (
     const fluidFields& fluid
 ) const
 {
-    Field<fluidAtGrain> cells(rho_.size());
+    List<fluidAtGrain> cells(rho_.size());
 
     // Of the fluid around, for what is exchanged
-    fluidAtGrain::set(cells, fluidAtGrain::rhoAround, rhoSmoothed_);
-    fluidAtGrain::set
+    setEach(cells, &fluidAtGrain::rhoAround, rhoSmoothed_);
+    setEach
     (
         cells,
-        fluidAtGrain::momentum,
+        &fluidAtGrain::momentum,
         mapping_.smoothed(vectorField(rho_*fluid.U))
     );
-    fluidAtGrain::set
+    setEach
     (
         cells,
-        fluidAtGrain::vorticity,
+        &fluidAtGrain::vorticity,
         mapping_.smoothed(vectorField(rho_*fluid.vorticity))
     );
 
     // Of the fluid at hand, for the laws
-    fluidAtGrain::set(cells, fluidAtGrain::rho, fluid.rho);
-    fluidAtGrain::set(cells, fluidAtGrain::mu, fluid.mu);
-    fluidAtGrain::set(cells, fluidAtGrain::voidFraction, fluid.voidFraction);
+    setEach(cells, &fluidAtGrain::rho, fluid.rho);
+    setEach(cells, &fluidAtGrain::mu, fluid.mu);
+    setEach(cells, &fluidAtGrain::voidFraction, fluid.voidFraction);
 
     return mapping_.weights().reached(std::move(cells));
 }
 
 
-Foam::Field<Foam::meanAtGrain> Foam::interphaseForces::meansAround
+Foam::List<Foam::meanAtGrain> Foam::interphaseForces::meansAround
 (
     const fluidMeans& means
 ) const
 {
-    Field<meanAtGrain> cells(rho_.size());
+    List<meanAtGrain> cells(rho_.size());
 
-    meanAtGrain::set
+    setEach
     (
         cells,
-        meanAtGrain::rhoAround,
+        &meanAtGrain::rhoAround,
         mapping_.smoothed(means.rho)
     );
-    meanAtGrain::set
+    setEach
     (
         cells,
-        meanAtGrain::momentum,
+        &meanAtGrain::momentum,
         mapping_.smoothed(vectorField(rho_*means.U))
     );
-    meanAtGrain::set
+    setEach
     (
         cells,
-        meanAtGrain::pressureGradient,
+        &meanAtGrain::pressureGradient,
         mapping_.smoothed(means.pressureGradient)
     );
 
@@ -152,7 +152,7 @@ Foam::Field<Foam::meanAtGrain> Foam::interphaseForces::meansAround
 }
 
 
-Foam::Field<Foam::flowAtGrain> Foam::interphaseForces::flowAround
+Foam::List<Foam::flowAtGrain> Foam::interphaseForces::flowAround
 (
     const vectorField& acceleration,
     const vectorField& viscousForce
@@ -163,26 +163,26 @@ Foam::Field<Foam::flowAtGrain> Foam::interphaseForces::flowAround
 
     if (!carries && !shears)
     {
-        return Field<flowAtGrain>();
+        return List<flowAtGrain>();
     }
 
-    Field<flowAtGrain> cells(rho_.size(), flowAtGrain(Zero));
+    List<flowAtGrain> cells(rho_.size());
 
     if (carries)
     {
-        flowAtGrain::set
+        setEach
         (
             cells,
-            flowAtGrain::acceleration,
+            &flowAtGrain::acceleration,
             mapping_.smoothed(vectorField(rho_*acceleration))
         );
     }
     if (shears)
     {
-        flowAtGrain::set
+        setEach
         (
             cells,
-            flowAtGrain::viscousForce,
+            &flowAtGrain::viscousForce,
             mapping_.smoothed(viscousForce)
         );
     }
@@ -198,7 +198,7 @@ inline Foam::flowAtGrain Foam::interphaseForces::flowAt
 ) const
 {
     return
-        around.size() ? mapping_.weights().mean(around, i) : flowAtGrain(Zero);
+        around.size() ? mapping_.weights().mean(around, i) : flowAtGrain();
 }
 
 
@@ -244,21 +244,21 @@ inline Foam::grainState Foam::interphaseForces::stateOf
 ) const
 {
     const locatedGrain& grain = exchange_.grains()[i];
-    const scalar perRho = 1/fluid.number(fluidAtGrain::rhoAround);
-    const vector vorticity(perRho*fluid.vectorOf(fluidAtGrain::vorticity));
+    const scalar perRho = 1/fluid.rhoAround;
+    const vector vorticity(perRho*fluid.vorticity);
 
     return grainState
     {
         2*grain.radius/coarseGraining_,
-        perRho*fluid.vectorOf(fluidAtGrain::momentum) - meanVelocity(i),
+        perRho*fluid.momentum - meanVelocity(i),
         0.5*vorticity - grain.angularVelocity,
         vorticity,
-        fluid.number(fluidAtGrain::rho),
+        fluid.rho,
 
         // OpenFOAM's HerschelBulkley has none at all where it rests and has no
         // yield stress; its limit there is nu0 or k, but this only avoids 0/0
-        max(fluid.number(fluidAtGrain::mu), SMALL),
-        fluid.number(fluidAtGrain::voidFraction),
+        max(fluid.mu, SMALL),
+        fluid.voidFraction,
         dSauter/coarseGraining_
     };
 }
@@ -280,10 +280,10 @@ inline void Foam::interphaseForces::setForce
     const scalar N3 = pow3(coarseGraining_);
     const scalar perRho = 1/rhoAround;
     const vector U(state.slip + meanVelocity(i));
-    const vector convection(perRho*flow.vectorOf(flowAtGrain::acceleration));
+    const vector convection(perRho*flow.acceleration);
 
     const scalar K = N3*K1;
-    scalar C = laws_.virtualMass->coefficient(state)*state.rho*volume;
+    scalar C = laws_.virtualMassCoefficient(state)*state.rho*volume;
     vector lift(lift1);
     if (laws_.history.active())
     {
@@ -298,7 +298,7 @@ inline void Foam::interphaseForces::setForce
         (
             grain,
             rhoAround,
-            flow.vectorOf(flowAtGrain::viscousForce),
+            flow.viscousForce,
             volume,
             lift
         )
@@ -365,17 +365,17 @@ void Foam::interphaseForces::prepare
 
     const scalarField dSauter
     (
-        laws_.drag->usesSauterDiameter()
+        laws_.usesSauterDiameter()
       ? mapping_.sauterDiameter()
       : scalarField()
     );
-    const Field<fluidAtGrain> around(fluidAround(fluid));
-    const Field<flowAtGrain> flow
+    const List<fluidAtGrain> around(fluidAround(fluid));
+    const List<flowAtGrain> flow
     (
         flowAround(fluid.convection, fluid.viscousForce)
     );
     const cellWeights& weights = mapping_.weights();
-    Field<givenByGrain> given(weights.noSums<givenByGrain>());
+    List<givenByGrain> given(weights.noSums<givenByGrain>());
 
     // What a block of grains is asked for stays in the nearest cache
     List<grainState> states(blockOfGrains);
@@ -392,13 +392,13 @@ void Foam::interphaseForces::prepare
             const label i = first + k;
             const fluidAtGrain fluidHere(weights.mean(around, i));
 
-            rhoAround[k] = fluidHere.number(fluidAtGrain::rhoAround);
+            rhoAround[k] = fluidHere.rhoAround;
             states[k] =
                 stateOf(i, fluidHere, dSauter.size() ? dSauter[i] : 1);
         }
 
-        laws_.drag->K(states, K);
-        laws_.lift->force(states, lift);
+        laws_.dragCoefficients(states, K);
+        laws_.liftForces(states, lift);
 
         forAll(states, k)
         {
@@ -414,18 +414,12 @@ void Foam::interphaseForces::prepare
                 lift[k],
                 interval
             );
-            weights.add
-            (
-                given,
-                i,
-                givenByGrain
-                (
-                    drag0_[i],
-                    virtualMass0_[i],
-                    pressure0_[i],
-                    explicit_[i]/rhoAround[k]
-                )
-            );
+            givenByGrain gives;
+            gives.drag = drag0_[i];
+            gives.virtualMass = virtualMass0_[i];
+            gives.pressureShare = pressure0_[i];
+            gives.explicitForce = explicit_[i]/rhoAround[k];
+            weights.add(given, i, gives);
         }
     }
 
@@ -434,23 +428,23 @@ void Foam::interphaseForces::prepare
 }
 
 
-void Foam::interphaseForces::setCells(Field<givenByGrain>&& sums)
+void Foam::interphaseForces::setCells(List<givenByGrain>&& sums)
 {
     dragCoefficient_ = rho_*mapping_.perVolume
     (
-        givenByGrain::numbers(sums, givenByGrain::drag)
+        each(sums, &givenByGrain::drag)
     );
     virtualMassCoefficient_ = rho_*mapping_.perVolume
     (
-        givenByGrain::numbers(sums, givenByGrain::virtualMass)
+        each(sums, &givenByGrain::virtualMass)
     );
     explicitForce_ = rho_*mapping_.perVolume
     (
-        givenByGrain::vectors(sums, givenByGrain::explicitForce)
+        each(sums, &givenByGrain::explicitForce)
     );
     pressureShare_ = mapping_.perVolume
     (
-        givenByGrain::numbers(sums, givenByGrain::pressureShare)
+        each(sums, &givenByGrain::pressureShare)
     );
 }
 
@@ -473,8 +467,8 @@ void Foam::interphaseForces::start(const vectorField& pressureGradient)
 
 void Foam::interphaseForces::finish(const fluidMeans& means)
 {
-    const Field<meanAtGrain> around(meansAround(means));
-    const Field<flowAtGrain> flow
+    const List<meanAtGrain> around(meansAround(means));
+    const List<flowAtGrain> flow
     (
         flowAround(means.acceleration, means.viscousForce)
     );
@@ -489,15 +483,15 @@ void Foam::interphaseForces::finish(const fluidMeans& means)
         const meanAtGrain fluid(weights.mean(around, i));
         const vector atRest
         (
-            rest_.gradient(fluid.number(meanAtGrain::rhoAround))
+            rest_.gradient(fluid.rhoAround)
         );
         const vector excess
         (
-            fluid.vectorOf(meanAtGrain::pressureGradient) - atRest
+            fluid.pressureGradient - atRest
         );
 
         force_[i] =
-            drag0_[i]*fluid.vectorOf(meanAtGrain::momentum)
+            drag0_[i]*fluid.momentum
           + pressure0_[i]*excess
           + explicit_[i]
           - laws_.pressureGradient*volumes[i]
@@ -508,9 +502,9 @@ void Foam::interphaseForces::finish(const fluidMeans& means)
             const flowAtGrain here(weights.mean(flow, i));
 
             force_[i] +=
-                virtualMass0_[i]*here.vectorOf(flowAtGrain::acceleration)
+                virtualMass0_[i]*here.acceleration
               + laws_.viscousForce*volumes[i]
-               *here.vectorOf(flowAtGrain::viscousForce);
+               *here.viscousForce;
         }
     }
 

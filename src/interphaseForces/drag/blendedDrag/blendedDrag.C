@@ -18,5 +18,7 @@ Foam::blendedDrag::blendedDrag
 
 Foam::scalar Foam::blendedDrag::K(const grainState& state) const
 {
-    return (1 - strength_)*base_->K(state) + strength_*model_->K(state);
+    return
+        (base_.valid() ? (1 - strength_)*base_->K(state) : 0)
+      + (model_.valid() ? strength_*model_->K(state) : 0);
 }

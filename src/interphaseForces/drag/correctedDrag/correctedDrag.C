@@ -105,7 +105,7 @@ Foam::autoPtr<Foam::dragModel> Foam::correctedDrag::New
         new correctedDrag(std::move(law), correction)
     );
 
-    if (corrected->strength_ == 0)
+    if (corrected->strength_ == 0 || !corrected->law_.valid())
     {
         return std::move(corrected->law_);
     }

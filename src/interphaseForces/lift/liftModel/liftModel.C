@@ -3,8 +3,6 @@
 
 #include "liftModel.H"
 #include "closure.H"
-#include "noLift.H"
-#include "scaledLift.H"
 
 namespace Foam
 {
@@ -16,7 +14,12 @@ namespace Foam
 Foam::autoPtr<Foam::liftModel>
 Foam::liftModel::New(const dictionary& dict)
 {
-    return closure::selectScaled<liftModel, scaledLift, noLift>(dict);
+    return closure::select<liftModel>
+    (
+        dict,
+        "model",
+        closure::without(dict, {"model"})
+    );
 }
 
 

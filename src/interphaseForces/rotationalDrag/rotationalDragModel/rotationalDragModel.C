@@ -3,8 +3,6 @@
 
 #include "rotationalDragModel.H"
 #include "closure.H"
-#include "noRotationalDrag.H"
-#include "scaledRotationalDrag.H"
 
 namespace Foam
 {
@@ -16,12 +14,10 @@ namespace Foam
 Foam::autoPtr<Foam::rotationalDragModel>
 Foam::rotationalDragModel::New(const dictionary& dict)
 {
-    return
-        closure::selectScaled
-        <
-            rotationalDragModel,
-            scaledRotationalDrag,
-            noRotationalDrag
-        >
-        (dict);
+    return closure::select<rotationalDragModel>
+    (
+        dict,
+        "model",
+        closure::without(dict, {"model"})
+    );
 }

@@ -3,8 +3,6 @@
 
 #include "virtualMassModel.H"
 #include "closure.H"
-#include "noVirtualMass.H"
-#include "scaledVirtualMass.H"
 
 namespace Foam
 {
@@ -16,12 +14,10 @@ namespace Foam
 Foam::autoPtr<Foam::virtualMassModel>
 Foam::virtualMassModel::New(const dictionary& dict)
 {
-    return
-        closure::selectScaled
-        <
-            virtualMassModel,
-            scaledVirtualMass,
-            noVirtualMass
-        >
-        (dict);
+    return closure::select<virtualMassModel>
+    (
+        dict,
+        "model",
+        closure::without(dict, {"model"})
+    );
 }
