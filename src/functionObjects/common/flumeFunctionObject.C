@@ -4,6 +4,7 @@
 #include "flumeFunctionObject.H"
 
 #include "gravityMeshObject.H"
+#include "keywords.H"
 #include "mathematicalConstants.H"
 #include "snapshotCache.H"
 #include "strips.H"
@@ -21,7 +22,7 @@ namespace
 {
 
 //- Keys of OpenFOAM's function objects, and those that all of ours have
-const Foam::wordHashSet commonKeys
+const Foam::wordList commonKeys
 ({
     "type", "libs", "functionObjectLibs", "enabled", "log", "errors",
     "region", "subRegion", "field", "fields",
@@ -76,16 +77,9 @@ void Foam::functionObjects::flumeFunctionObject::checkKeys
     const wordList& own
 ) const
 {
-    for (const word& key : dict.toc())
-    {
-        if (!commonKeys.found(key) && !own.found(key))
-        {
-            FatalIOErrorInFunction(dict)
-                << type() << " " << name() << " knows no key " << key << "."
-                << " Valid choices, beside those of every function object: "
-                << own << exit(FatalIOError);
-        }
-    }
+    DynamicList<word> valid(own);
+    valid.append(commonKeys);
+    keywords::check(dict, valid);
 }
 
 
