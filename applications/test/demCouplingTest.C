@@ -207,7 +207,9 @@ TEST(exchangeTime, putsWritingOffToTheEndOfAnInterval)
     testMesh box;
     exchangeTime time
     (
-        Time::controlDictName, box.folder().path(), box.folder().name()
+        Time::controlDictName,
+        box.folder().path(),
+        fileName(box.folder().name())
     );
     const auto written = [&](const bool together)
     {
