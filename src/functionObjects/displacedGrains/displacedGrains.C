@@ -137,7 +137,7 @@ void Foam::functionObjects::displacedGrains::begin(const labelList& chosen)
 }
 
 
-bool Foam::functionObjects::displacedGrains::look()
+bool Foam::functionObjects::displacedGrains::sample()
 {
     const labelList chosen(ofTypes(grains(), types_));
 

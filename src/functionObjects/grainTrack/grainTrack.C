@@ -140,7 +140,7 @@ Foam::labelList Foam::functionObjects::grainTrack::nearest() const
 }
 
 
-bool Foam::functionObjects::grainTrack::look()
+bool Foam::functionObjects::grainTrack::sample()
 {
     if (ids_.empty())
     {

@@ -325,7 +325,7 @@ Foam::scalar Foam::functionObjects::overflow::angle
 }
 
 
-bool Foam::functionObjects::overflow::look()
+bool Foam::functionObjects::overflow::sample()
 {
     if (passOver({UName_, alphaName_, voidFractionName_}))
     {

@@ -257,7 +257,7 @@ Foam::sampleSeries Foam::functionObjects::wallLoad::both() const
 }
 
 
-bool Foam::functionObjects::wallLoad::look()
+bool Foam::functionObjects::wallLoad::sample()
 {
     if (samplingRate_ > 0)
     {
