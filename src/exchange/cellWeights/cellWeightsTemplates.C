@@ -71,7 +71,7 @@ Foam::List<T> Foam::cellWeights::noSums() const
         nSlots += cells.size();
     }
 
-    return List<T>(nSlots, T{});
+    return List<T>(nSlots, T(Zero));
 }
 
 

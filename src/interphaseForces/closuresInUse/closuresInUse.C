@@ -118,9 +118,9 @@ void Foam::closuresInUse::liftForces
     }
 
     lift.law().force(states, forces);
-    for (vector& force : forces)
+    forAll(states, i)
     {
-        force *= lift.strength();
+        forces[i] *= lift.strength();
     }
 }
 
