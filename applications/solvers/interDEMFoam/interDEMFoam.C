@@ -18,6 +18,7 @@
 #include "fpeGuard.H"
 #include "functionState.H"
 #include "demCoupling.H"
+#include "heldMemory.H"
 #include "reconstructionCheck.H"
 #include "slidingGate.H"
 #include "solverChecks.H"
