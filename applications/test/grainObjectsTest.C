@@ -207,7 +207,7 @@ TEST_F(tank, grainsTakenAwayAreErosionAgainstTheStart)
         erosion.write();
 
         const scalarList line(lastLine("bed", "bedErosion"));
-        ASSERT_EQ(line.size(), 15);
+        ASSERT_EQ(line.size(), 16);
         EXPECT_NEAR(line[1], V/2/0.5, 1e-8);
         EXPECT_NEAR(line[13], V/2, 1e-8);
         EXPECT_EQ(line[14], 0);
@@ -222,8 +222,61 @@ TEST_F(tank, grainsTakenAwayAreErosionAgainstTheStart)
     again.execute();
     again.write();
     const scalarList summary(lastLine("bed", "summary_0"));
-    ASSERT_EQ(summary.size(), 9);
+    ASSERT_EQ(summary.size(), 10);
     EXPECT_NEAR(summary[1], V/2/0.5, 1e-8);
+}
+
+
+TEST_F(tank, theMeanVelocityOfTheWholeBedIsByMassAndOverNetErosionAlsoOfARunThatGoesOn)
+{
+    const string entries
+    (
+        "bedTypes (1); depthRange (0.2 0.4); rateRange (0.2 0.4);"
+        " xStart 0; packing 0.5; planWidth 0.1; onset 1e-5;"
+    );
+    box_.time().setDeltaT(0.1, false);
+
+    // Half of the grains weigh thrice as much as the others and move; from the second
+    // look on the bed is eroded, without end
+    forAll(grains_.grains.mass, i)
+    {
+        grains_.grains.mass[i] = i % 2 ? 1.5 : 0.5;
+    }
+    const auto look = [&](functionObjects::bedErosion& bed, const scalar U, const scalar d3)
+    {
+        forAll(grains_.grains.U, i)
+        {
+            grains_.grains.U[i] = vector(i % 2 ? U : 0, 1, 0);
+        }
+        grains_.grains.d *= Foam::cbrt(d3);
+        ++box_.time();
+        bed.execute();
+        bed.write();
+    };
+
+    {
+        functionObjects::bedErosion bed("bed", box_.time(), dict(entries));
+        look(bed, 40, 1);
+        EXPECT_NEAR(lastLine("bed", "bedErosion")[15], 30, 1e-6);
+        look(bed, 4, 0.8);
+        look(bed, 8, 0.8);
+        ASSERT_EQ(lastLine("bed", "summary").size(), 10);
+        EXPECT_NEAR(lastLine("bed", "summary")[9], 4.5, 1e-6);
+
+        ASSERT_TRUE
+        (
+            compatibility::writeObject
+            (
+                box_.time().lookupObject<regIOobject>("bedSeries"),
+                IOstream::ASCII,
+                IOstream::UNCOMPRESSED
+            )
+        );
+    }
+
+    functionObjects::bedErosion again("bed", box_.time(), dict(entries));
+    look(again, 12, 0.8);
+    EXPECT_NEAR(lastLine("bed", "summary_0")[9], 6, 1e-6);
 }
 
 

@@ -32,6 +32,7 @@ Foam::functionObjects::bedErosion::bedErosion
     keep("depth", depth_);
     keep("rate", rate_);
     keep("UEroded", UEroded_);
+    keep("UBed", UBed_);
 
     if (writes())
     {
@@ -286,12 +287,14 @@ Foam::functionObjects::bedErosion::layerLine(const bedGrains& bed) const
 void Foam::functionObjects::bedErosion::follow
 (
     const scalar depth,
-    const scalar UMoving
+    const scalar UMoving,
+    const scalar UBed
 )
 {
     depth_.append(now(), depth);
     rate_.append(now(), depth_.lastSlope(rateWindow_));
     UEroded_.append(now(), UMoving);
+    UBed_.append(now(), UBed);
 }
 
 
@@ -316,7 +319,8 @@ bool Foam::functionObjects::bedErosion::sample()
     const Tuple2<strips, scalar> far(carried(grains));
     const scalar Lc = far.first().beyond(nFarthest_);
     const bedLayers moving(layers(grains, xStart_, GREAT));
-    follow(atX0, moving.UMoving);
+    const scalar UBed = grains.meanVelocity();
+    follow(atX0, moving.UMoving, UBed);
 
     const scalar solid = reference_.packing*width_;
     line_ =
@@ -326,7 +330,7 @@ bool Foam::functionObjects::bedErosion::sample()
         moving.UMoving, moving.bouncing.U,
         extent.eroded*solid, extent.deposited*solid,
         gSum((constant::mathematical::pi*pow3(grains.d)/6)()),
-        extent.raisedEnd
+        extent.raisedEnd, UBed
     };
     layerLine_ = layerLine(grains);
 
@@ -334,10 +338,11 @@ bool Foam::functionObjects::bedErosion::sample()
     setResult("L", extent.length);
     setResult("Lc", Lc);
     setResult("Ue", moving.UMoving);
+    setResult("Ubed", UBed);
 
     Log << type() << " " << name() << ": H " << H << " m, L "
         << extent.length << " m, Lc " << Lc << " m, Ue "
-        << moving.UMoving << " m/s" << nl << endl;
+        << moving.UMoving << " m/s, Ubed " << UBed << " m/s" << nl << endl;
 
     return true;
 }

@@ -14,7 +14,7 @@ void Foam::functionObjects::bedErosion::writeHeaders()
         "Erosion of the bed; lengths in m, velocities in m/s, volumes in m3",
         {
             "H", "depthX0", "rate", "L", "xEnd", "Lc", "LcRaw", "xFarthest",
-            "Ue", "Ubouncing", "eroded", "deposited", "bedVolume", "xRaised"
+            "Ue", "Ubouncing", "eroded", "deposited", "bedVolume", "xRaised", "Ubed"
         }
     );
 
@@ -34,8 +34,12 @@ void Foam::functionObjects::bedErosion::writeHeaders()
     (
         extraFile("summary"),
         "So far: H, L and Lc in m; phases in s (-1: not reached); peak rate"
-        " and mean velocity of the eroded material during net erosion in m/s",
-        {"H", "L", "Lc", "netStart", "netEnd", "peakRate", "peakTime", "Ue"}
+        " and mean velocities of the eroded material and of the whole bed during"
+        " net erosion in m/s",
+        {
+            "H", "L", "Lc", "netStart", "netEnd", "peakRate", "peakTime", "Ue",
+            "Ubed"
+        }
     );
 }
 
@@ -57,7 +61,8 @@ void Foam::functionObjects::bedErosion::writeSummary()
             reached(phases.netEnd),
             phases.peakRate,
             reached(phases.peakTime),
-            UEroded_.mean(phases.netStart, phases.netEnd)
+            UEroded_.mean(phases.netStart, phases.netEnd),
+            UBed_.mean(phases.netStart, phases.netEnd)
         })
     );
 }

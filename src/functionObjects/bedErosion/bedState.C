@@ -20,7 +20,8 @@ Foam::bedGrains::bedGrains
 :
     centre(chosen.size()),
     U(chosen.size()),
-    d(chosen.size())
+    d(chosen.size()),
+    mass(chosen.size())
 {
     forAll(chosen, i)
     {
@@ -31,6 +32,7 @@ Foam::bedGrains::bedGrains
         U[i].y() = u & frame.across();
         U[i].z() = u & frame.normal();
         d[i] = grains.d[chosen[i]];
+        mass[i] = grains.mass[chosen[i]];
     }
 }
 
@@ -46,6 +48,13 @@ Foam::scalar Foam::bedGrains::meanDiameter() const
     const scalar d3 = gSum(pow3(d)());
 
     return d3 > 0 ? gSum(pow4(d)())/d3 : 0;
+}
+
+
+Foam::scalar Foam::bedGrains::meanVelocity() const
+{
+    const scalar m = gSum(mass);
+    return m > 0 ? gSum((mass*U.component(vector::X))())/m : 0;
 }
 
 
