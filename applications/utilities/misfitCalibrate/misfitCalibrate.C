@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Chooses parameters of a case by response surfaces fitted to runs that are done.
+
+#include "calibration.H"
+#include "csvTable.H"
+#include "keywords.H"
+
+#include "argList.H"
+#include "scalarField.H"
+#include "IFstream.H"
+#include "OFstream.H"
+#include "UPstream.H"
+
+#include <algorithm>
+
+namespace Foam
+{
+namespace misfit
+{
+
+freeParameter readParameter(const word& name, const dictionary& dict)
+{
+    keywords::check(dict, {"bounds", "levels", "scale"});
+
+    freeParameter p;
+    p.name = name;
+    p.logarithmic =
+        keywords::choice
+        (
+            dict, "scale", "scale of a parameter", {"linear", "log"}, "linear"
+        ) == "log";
+
+    scalarField range(dict.lookupOrDefault("levels", scalarList()));
+    for (const scalar level : range)
+    {
+        p.levels.append(p.scaled(level));
+    }
+    if (range.empty())
+    {
+        range = scalarField(dict.get<scalarList>("bounds"));
+    }
+    if (range.size() < 2 || min(range) == max(range) || (p.logarithmic && min(range) <= 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Parameter " << name << " needs two bounds, or two levels or more, that"
+            << " differ" << (p.logarithmic ? " and are above zero" : "")
+            << ", and has " << range << exit(FatalIOError);
+    }
+    p.lower = p.scaled(min(range));
+    p.upper = p.scaled(max(range));
+    return p;
+}
+
+
+//- Columns of a table, a row of the matrix for each
+mat columns(const csvTable& table, const wordList& names)
+{
+    const label n = table.column(0).size();
+    mat result(names.size(), n);
+    forAll(names, i)
+    {
+        const scalarList& column = table.column(table.find(names[i]));
+        result.row(i) = Eigen::Map<const vec>(column.cdata(), n).transpose();
+    }
+    return result;
+}
+
+
+//- Runs of one kind, the surface that they make, and what it shall come to
+class experiment
+{
+public:
+
+    const word name;
+
+    const wordList conditions;
+
+    const wordList quantities;
+
+    //- Share of the wanted value that counts as one standard deviation
+    const scalarField shares;
+
+    label nRuns = 0;
+
+    std::shared_ptr<const responseSurface> surface;
+
+    List<calibrationTarget> targets;
+
+    //- Conditions to predict for, a column for each
+    mat others;
+
+
+    experiment
+    (
+        const word& name_,
+        const dictionary& dict,
+        const List<freeParameter>& parameters
+    )
+    :
+        name(name_),
+        conditions(dict.lookupOrDefault("conditions", wordList())),
+        quantities(dict.get<wordList>("quantities")),
+        shares(dict.get<scalarList>("deviations"))
+    {
+        keywords::check
+        (
+            dict,
+            {"runs", "conditions", "quantities", "deviations", "targets", "predict"}
+        );
+        if (shares.size() != quantities.size() || !shares.size() || min(shares) <= 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << name << ": as many deviations, above zero, as quantities are needed;"
+                << " there are " << shares.size() << " of " << quantities.size()
+                << exit(FatalIOError);
+        }
+        makeSurface(csvTable(dict.get<fileName>("runs")), parameters, dict);
+        readTargets(csvTable(dict.get<fileName>("targets")));
+        if (dict.found("predict"))
+        {
+            others = columns(csvTable(dict.get<fileName>("predict")), conditions);
+        }
+    }
+
+
+    void makeSurface
+    (
+        const csvTable& runs,
+        const List<freeParameter>& parameters,
+        const dictionary& dict
+    )
+    {
+        wordList names(conditions);
+        for (const freeParameter& p : parameters)
+        {
+            names.append(p.name);
+        }
+        mat x = columns(runs, names);
+        nRuns = x.cols();
+        if (nRuns <= names.size())
+        {
+            FatalIOErrorInFunction(dict)
+                << name << ": " << nRuns << " runs in " << runs.file()
+                << " do not tell " << names.size() << " variables apart: one more than"
+                << " variables at least" << exit(FatalIOError);
+        }
+
+        vec centre(names.size());
+        vec width(names.size());
+        forAll(parameters, i)
+        {
+            const freeParameter& p = parameters[i];
+            const label k = conditions.size() + i;
+            for (label run = 0; run < nRuns; ++run)
+            {
+                x(k, run) = p.scaled(x(k, run));
+            }
+            centre[k] = (p.lower + p.upper)/2;
+            width[k] = (p.upper - p.lower)/2;
+        }
+        for (label k = 0; k < conditions.size(); ++k)
+        {
+            const vec row = x.row(k).transpose();
+            centre[k] = (row.maxCoeff() + row.minCoeff())/2;
+            width[k] = max((row.maxCoeff() - row.minCoeff())/2, SMALL);
+        }
+        surface = std::make_shared<const responseSurface>
+        (
+            x, columns(runs, quantities), centre, width
+        );
+    }
+
+
+    void readTargets(const csvTable& table)
+    {
+        const mat under = columns(table, conditions);
+        const mat wanted = columns(table, quantities);
+        const Eigen::Map<const vec> share(shares.cdata(), shares.size());
+        for (label i = 0; i < wanted.cols(); ++i)
+        {
+            calibrationTarget t;
+            t.surface = surface;
+            t.conditions = under.col(i);
+            t.wanted = wanted.col(i);
+            t.deviation = t.wanted.cwiseAbs().cwiseProduct(share);
+            targets.append(t);
+        }
+    }
+
+
+    //- Conditions in words, as "D 0.02 M 185"
+    string told(const vec& values) const
+    {
+        string text;
+        forAll(conditions, i)
+        {
+            text +=
+                (i ? " " : "") + conditions[i] + " " + Foam::name(values[i]);
+        }
+        return text;
+    }
+
+
+    //- Root mean square of the errors at runs left out [unit of the quantity]; none
+    //  where there are as many terms as runs
+    string leftOut(const label quantity) const
+    {
+        const mat& errors = surface->leftOut();
+        return errors.cols()
+          ? Foam::name(std::sqrt(errors.row(quantity).squaredNorm()/errors.cols()))
+          : string("none");
+    }
+};
+
+
+//- Lines of the table of what was predicted
+void tellPredictions(Ostream& os, const experiment& e, const vec& parameters)
+{
+    const auto line = [&]
+    (
+        const char* what, const vec& conditions, const label q, const string& wanted
+    )
+    {
+        os  << what << ',' << e.name << ',' << e.told(conditions).c_str() << ','
+            << e.quantities[q] << ',' << wanted.c_str() << ','
+            << calibration::predicted(*e.surface, conditions, parameters)[q] << ','
+            << e.leftOut(q).c_str() << nl;
+    };
+
+    forAll(e.quantities, q)
+    {
+        for (const calibrationTarget& t : e.targets)
+        {
+            line("target", t.conditions, q, Foam::name(t.wanted[q]));
+        }
+        for (label i = 0; i < e.others.cols(); ++i)
+        {
+            line("predicted", e.others.col(i), q, "");
+        }
+    }
+}
+
+} // End namespace misfit
+} // End namespace Foam
+
+
+int main(int argc, char* argv[])
+{
+    using namespace Foam;
+    using namespace Foam::misfit;
+
+    argList::addNote
+    (
+        "Choose parameters by response surfaces of runs that are done. See README.md"
+        " beside the source."
+    );
+    argList::noParallel();
+    argList::addArgument("dictionary");
+
+    UPstream::initNull();
+    const argList args(argc, argv);
+    const fileName file(args[1]);
+
+    IFstream is(file);
+    if (!is.good())
+    {
+        FatalErrorInFunction << "Cannot read " << file << exit(FatalError);
+    }
+    const dictionary dict(is);
+    keywords::check(dict, {"FoamFile", "parameters", "experiments"});
+
+    DynamicList<freeParameter> parameters;
+    const dictionary& free = dict.subDict("parameters");
+    for (const word& name : free.toc())
+    {
+        parameters.append(readParameter(name, free.subDict(name)));
+    }
+
+    std::vector<experiment> experiments;
+    DynamicList<calibrationTarget> targets;
+    const dictionary& kinds = dict.subDict("experiments");
+    for (const word& name : kinds.toc())
+    {
+        experiments.emplace_back(name, kinds.subDict(name), parameters);
+        targets.append(experiments.back().targets);
+        Info<< name << ": " << experiments.back().nRuns << " runs, surface of "
+            << experiments.back().surface->nTerms() << " terms" << endl;
+    }
+
+    calibration calibrate(parameters, targets);
+    vec chosen;
+    vec deviations;
+    const fitted best = calibrate.choose(chosen, deviations);
+    Info<< "Sum of squares of the misfit " << best.misfit << " of "
+        << best.f.size() << " numbers" << nl;
+
+    OFstream os(file.lessExt() + ".csv");
+    os  << "what,name,conditions,quantity,wanted,value,error" << nl;
+    forAll(parameters, i)
+    {
+        const freeParameter& p = parameters[i];
+        const bool atBound =
+            std::min(chosen[i] - p.lower, p.upper - chosen[i])
+          < 1e-6*(p.upper - p.lower);
+        const char* how =
+            p.levels.size() ? "level" : atBound ? "at a bound" : "free";
+
+        os  << "parameter," << p.name << ",," << how << ",," << p.value(chosen[i]) << ','
+            << deviations[i] << (p.logarithmic ? " decades" : "") << nl;
+        Info<< "    " << p.name << ' ' << p.value(chosen[i]) << " (" << how << ')' << nl;
+    }
+    for (const experiment& e : experiments)
+    {
+        tellPredictions(os, e, chosen);
+    }
+    Info<< "Written: " << os.name() << endl;
+    return os.good() ? 0 : 1;
+}
