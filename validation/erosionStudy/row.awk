@@ -3,8 +3,11 @@
 # each, and means of the layers over the net erosion. Tells what is wrong where a
 # number is not there or the run has not come to its end.
 #
-#   awk -v run= -v hash= -v code= -v ranks= -v seconds= -v endTime= -f row.awk \
-#       tables...
+#   awk -v run= -v hash= -v code= -v ranks= -v seconds= -v endTime= [-v pressure=] \
+#       -f row.awk tables...
+#
+# Of the bare flume, whose name begins with flume, it is another row: pressure is then
+# what surgeFlume/probe.awk tells.
 
 # .../<object>/<start>/<table>.dat: a run that was stopped has tables of several
 # starts, in any order. Where a start wrote no state before it was killed, the next
@@ -106,6 +109,41 @@ function overErosion(column, thickness,    k, t, w, sum, weights)
         weights > 0 ? sum/weights : 0)
 }
 
+# The head over its reach and where it takes shape, and its tip
+function putFront()
+{
+    putLast("front summary", "U h Fr tBegin tEnd")
+    put("Uhead", last("head summary", "U"))
+    put("hhead", last("head summary", "h"))
+    put("Utip", last("tip summary", "U"))
+}
+
+# Durations of the pore pressure at the probe
+function putPressure(    p)
+{
+    split(pressure, p, " ")
+    sub(/^>/, "", p[4])
+    put("peak", p[1]); put("durationHigh", p[3]); put("dissipation", p[4])
+    put("lambda", p[5])
+}
+
+function putErosion()
+{
+    putLast("bed summary", "H L")
+    put("Lc", last("bed bedErosion", "xRaised"))
+    put("LcFarthest", last("bed summary", "Lc"))
+    putLast("bed summary", "Ue Ubed")
+    putLast("bed bedErosion", "xEnd")
+    putLast("bed summary", "netStart netEnd peakTime peakRate")
+    begin = last("bed summary", "netStart")
+    end = last("bed summary", "netEnd")
+    if (end < 0) end = endTime    # still eroding at the end
+    overErosion("bouncing"); overErosion("Ubouncing", "bouncing")
+    overErosion("creeping"); overErosion("Ucreeping", "creeping")
+    overErosion("stationary")
+    putLast("load summary", "Fc M E Upassing hPassing")
+}
+
 END {
     # After a stop the looks are no longer at whole intervals
     t = lastTime("front surgeFront") + 0
@@ -117,21 +155,9 @@ END {
     put("run", run); put("hash", hash); put("code", code)
     put("ranks", ranks); put("seconds", seconds)
     put("endTime", endTime)
-    putLast("front summary", "U h Fr tBegin tEnd")
-    put("Utip", last("tip summary", "U"))
-    putLast("bed summary", "H L")
-    put("Lc", last("bed bedErosion", "xRaised"))
-    put("LcFarthest", last("bed summary", "Lc"))
-    putLast("bed summary", "Ue")
-    putLast("bed bedErosion", "xEnd")
-    putLast("bed summary", "netStart netEnd peakTime peakRate")
-    begin = last("bed summary", "netStart")
-    end = last("bed summary", "netEnd")
-    if (end < 0) end = endTime    # still eroding at the end
-    overErosion("bouncing"); overErosion("Ubouncing", "bouncing")
-    overErosion("creeping"); overErosion("Ucreeping", "creeping")
-    overErosion("stationary")
-    putLast("load summary", "Fc M E Upassing hPassing")
+    putFront()
+    if (run ~ /^flume/) putPressure()
+    else putErosion()
     putLast("water massBalance", "waterError")
     put("grainsLeft", last("water massBalance", "left"))
     putLast("water massBalance", "grainsMissing")

@@ -112,8 +112,20 @@ function tell(check, quantity, number, wanted, unit)
         number, wanted, unit
 }
 
+# Runs that lack a number, since they were done before it was read
+function lacking(q,    i, n)
+{
+    for (i = 1; i <= nDone; i++) n += value[i, q] == ""
+    return n + 0
+}
+
 function compare(q, bound,    i, x, y, all, off, constant, s, rho, m)
 {
+    if (lacking(q))
+    {
+        tell("reported", q " - runs without it", lacking(q), "", "")
+        return
+    }
     take(q, x); take(q "Paper", y)
     for (i = 1; i <= nRuns; i++) all[i] = whole[i, q "Paper"]
     m = mean(all, nRuns)
@@ -154,7 +166,7 @@ function ofVoidFraction(q, i,    k)
 
 function compareAsVoidFraction(q,    i, x, y, off)
 {
-    if (nDone < enough) return
+    if (nDone < enough || lacking(q)) return
     take(q, x)
     for (i = 1; i <= nDone; i++)
     {

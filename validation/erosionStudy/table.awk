@@ -32,7 +32,8 @@ function difference(v, wanted)
 
 FNR == 1 {
     delete name
-    for (i = 1; i <= NF; i++) name[i] = $i
+    delete at
+    for (i = 1; i <= NF; i++) { name[i] = $i; at[$i] }
     isPaper = $2 == "Fr"
     next
 }
@@ -61,6 +62,9 @@ isPaper {
     state[run] = "done"
     for (i = 2; i <= NF; i++) ours[run, name[i]] = $i
     ours[run, "E"] *= scale
+    # The paper's U_e is that of the whole bed; what moves is kept beside it
+    ours[run, "Umoving"] = ours[run, "Ue"]
+    ours[run, "Ue"] = "Ubed" in at ? ours[run, "Ubed"] : ""
     ours[run, "LFromWall"] = ours[run, "xEnd"]
     ours[run, "LFromWallDifference"] = difference(ours[run, "xEnd"], paper[run, "L"])
     ours[run, "LcFarthestDifference"] = \
@@ -77,7 +81,7 @@ END {
     nMore = split("Fc bouncing creeping netStart netEnd peakTime hash code " \
         "LFromWall LFromWallDifference tBegin tEnd stationary Ubouncing Ucreeping " \
         "LcFarthest LcFarthestDifference Utip UtipDifference Upassing UpassingDifference hPassing " \
-        "UPrinted FrAsPrinted", more, " ")
+        "UPrinted FrAsPrinted Umoving Uhead hhead", more, " ")
     for (i = 1; i <= nMore; i++) printf ",%s", more[i]
     print ""
 
@@ -90,7 +94,7 @@ END {
         for (c = 1; c <= nColumns; c++)
         {
             q = column[c]
-            v = (run, q) in ours ? sprintf("%.4g", ours[run, q]) : ""
+            v = (run, q) in ours && ours[run, q] != "" ? sprintf("%.4g", ours[run, q]) : ""
             printf ",%s,%.4g,%s", v, paper[run, q], \
                 difference(v == "" ? v : ours[run, q], paper[run, q])
         }

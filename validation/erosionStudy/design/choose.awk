@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The rows of runs as tables of numbers for misfitCalibrate, and what they are to come to:
+#
+#   awk -v to=design -f design/choose.awk paper.csv rows...
+#
+# Writes chutes.csv (H, L, L_c of runs of the chute), heads.csv (U and h of those that
+# have them where heads take shape), flume.csv (the bare flume), and beside them the
+# targets of the three rows that choose and the conditions of the 24 that judge. The
+# numbers of a run and what is varied in it are read from its name.
+
+BEGIN {
+    FS = ","
+    split("D2M185V55 D4M115V55 D3M150V50", three, " ")
+    for (i in three) chooses[three[i]]
+    chutes = to "/chutes.csv"; heads = to "/heads.csv"; flume = to "/flume.csv"
+    free = "viscosity,rolling,walls,foot"
+    print "D,M,V," free ",H,L,Lc" > chutes
+    print "D," free ",Uhead,hhead" > heads
+    print free ",Uhead,hhead,durationHigh,dissipation" > flume
+    print "D,M,V,H,L,Lc" > to "/chuteTargets.csv"
+    print "D,M,V" > to "/judged.csv"
+    print "D,Uhead,hhead" > to "/headTargets.csv"
+}
+
+FNR == 1 {
+    delete c
+    for (i = 1; i <= NF; i++) c[$i] = i
+    isPaper = $2 == "Fr"
+    next
+}
+
+# "0.04,115,0.45" of D4M115V45
+function conditions(name,    n)
+{
+    split(name, n, /[DMV-]/)
+    D = n[2]/100
+    return D "," n[3] "," n[4]/100
+}
+
+# The number behind a word of the name, or what the tutorial has
+function varied(name, word, byDefault, unit)
+{
+    if (!match(name, "-" word "[0-9]+")) return byDefault
+    return substr(name, RSTART + length(word) + 1, RLENGTH - length(word) - 1)*unit
+}
+
+isPaper {
+    at = conditions($1)
+    if ($1 in chooses)
+    {
+        print at "," $c["H"] "," $c["L"] "," $c["Lc"] > to "/chuteTargets.csv"
+        print D "," $c["U"] "," $c["h"] > to "/headTargets.csv"
+    }
+    else print at > to "/judged.csv"
+    next
+}
+
+# Foot of the box: 0 where it is 0.5 m long, 1 where it is 0.5 m high
+{
+    isFlume = $1 ~ /^flume/
+    parameters = varied($1, "viscosity", isFlume ? 1 : 100, 1) "," \
+        varied($1, "rolling", isFlume ? 0.1 : 0, 0.01) "," \
+        varied($1, "walls", isFlume ? 0.7 : 0.2, 0.01) "," ($1 ~ /-foot50/ ? 0 : 1)
+}
+
+isFlume {
+    print parameters "," $c["Uhead"] "," $c["hhead"] "," $c["durationHigh"] "," \
+        $c["dissipation"] > flume
+    next
+}
+
+{
+    at = conditions($1)
+    print at "," parameters "," $c["H"] "," $c["L"] "," $c["Lc"] > chutes
+    if ("Uhead" in c)
+        print D "," parameters "," $c["Uhead"] "," $c["hhead"] > heads
+}
