@@ -109,13 +109,31 @@ function overErosion(column, thickness,    k, t, w, sum, weights)
         weights > 0 ? sum/weights : 0)
 }
 
-# The head over its reach and where it takes shape, and its tip
-function putFront()
+# The head, behind which are 99 % of the debris, over its reach and where it takes shape,
+# and its tip: the flume's own page is on the tip
+function putFront(    flume, head)
 {
-    putLast("front summary", "U h Fr tBegin tEnd")
-    put("Uhead", last("head summary", "U"))
-    put("hhead", last("head summary", "h"))
-    put("Utip", last("tip summary", "U"))
+    flume = run ~ /^flume/
+    head = flume ? "behindHead summary" : "head summary"
+    putLast(flume ? "behind summary" : "front summary", "U h Fr tBegin tEnd")
+    put("Uhead", last(head, "U"))
+    put("hhead", last(head, "h"))
+    put("Utip", last(flume ? "front summary" : "tip summary", "U"))
+}
+
+# Mean velocity of the bed in the range of the layers at the end; 0 for none
+function restVelocity(    t, n, layer, i, h, sum, all)
+{
+    t = lastTime("bed layers")
+    n = split("bouncing creeping stationary", layer, " ")
+    for (i = 1; i <= n; i++)
+    {
+        h = cell("bed layers", t, layer[i])
+        if (h == "") return ""
+        sum += h*cell("bed layers", t, "U" layer[i])
+        all += h
+    }
+    return all > 0 ? sum/all : 0
 }
 
 # Durations of the pore pressure at the probe
@@ -141,6 +159,7 @@ function putErosion()
     overErosion("bouncing"); overErosion("Ubouncing", "bouncing")
     overErosion("creeping"); overErosion("Ucreeping", "creeping")
     overErosion("stationary")
+    put("Urest", restVelocity())
     putLast("load summary", "Fc M E Upassing hPassing")
 }
 

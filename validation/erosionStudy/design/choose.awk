@@ -3,8 +3,8 @@
 #
 #   awk -v to=design -f design/choose.awk paper.csv rows...
 #
-# Writes chutes.csv (H, L, L_c of runs of the chute), heads.csv (U and h of those that
-# have them where heads take shape), flume.csv (the bare flume), and beside them the
+# Writes chutes.csv (H, L, L_c of runs of the chute), heads.csv (of those that have them:
+# the bed's velocity at the end, U and h where heads take shape), flume.csv (the bare flume), and beside them the
 # targets of the three rows that choose and the conditions of the 24 that judge. The
 # numbers of a run and what is varied in it are read from its name.
 
@@ -15,11 +15,11 @@ BEGIN {
     chutes = to "/chutes.csv"; heads = to "/heads.csv"; flume = to "/flume.csv"
     free = "viscosity,rolling,walls,foot"
     print "D,M,V," free ",H,L,Lc" > chutes
-    print "D," free ",Uhead,hhead" > heads
+    print "D," free ",Urest,Uhead,hhead" > heads
     print free ",Uhead,hhead,durationHigh,dissipation" > flume
     print "D,M,V,H,L,Lc" > to "/chuteTargets.csv"
     print "D,M,V" > to "/judged.csv"
-    print "D,Uhead,hhead" > to "/headTargets.csv"
+    print "D,Urest,Uhead,hhead" > to "/headTargets.csv"
 }
 
 FNR == 1 {
@@ -49,7 +49,7 @@ isPaper {
     if ($1 in chooses)
     {
         print at "," $c["H"] "," $c["L"] "," $c["Lc"] > to "/chuteTargets.csv"
-        print D "," $c["U"] "," $c["h"] > to "/headTargets.csv"
+        print D ",0.01," $c["U"] "," $c["h"] > to "/headTargets.csv"
     }
     else print at > to "/judged.csv"
     next
@@ -73,5 +73,5 @@ isFlume {
     at = conditions($1)
     print at "," parameters "," $c["H"] "," $c["L"] "," $c["Lc"] > chutes
     if ("Uhead" in c)
-        print D "," parameters "," $c["Uhead"] "," $c["hhead"] > heads
+        print D "," parameters "," $c["Urest"] "," $c["Uhead"] "," $c["hhead"] > heads
 }
