@@ -314,3 +314,21 @@ TEST(ReconstructionCheck, findsTheCellsWhereNoVelocityComesBack)
     const std::string said(refusal([&]{ checkReconstruction(box.mesh()); }));
     EXPECT_NE(said.find("checkMesh"), std::string::npos) << said;
 }
+
+
+TEST(ParallelReconstructionCheck, allRanksKnowTheWorstCellOfOne)
+{
+    testBox sliced;
+    sliced.cut = 2;
+    testMesh box(sliced);
+    pointField points(box.mesh().points());
+    for (point& p : points)
+    {
+        p.z() = min(p.z(), scalar(0.75));
+    }
+    box.mesh().movePoints(points);
+
+    const reconstructionError error(reconstructionErrorOf(box.mesh()));
+    EXPECT_EQ(error.nCells, 16);
+    EXPECT_DOUBLE_EQ(error.at.z(), 0.75);
+}

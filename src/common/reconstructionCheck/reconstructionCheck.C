@@ -59,7 +59,8 @@ Foam::reconstructionError Foam::reconstructionErrorOf(const fvMesh& mesh)
         result.nCells += error[cell] > reconstructionError::allowed;
         if (error[cell] == result.largest)
         {
-            result.at = mesh.C()[cell];
+            // Not mesh.C(): ranks make that together
+            result.at = mesh.cellCentres()[cell];
             first = Pstream::myProcNo();
         }
     }
