@@ -37,7 +37,7 @@ background { rgb 1 }
 #declare LowV = 1e9; #declare HighV = -1e9;
 #for (M, 0, Moments - 1)
     #for (I, 0, 7)
-        #local Corner = <(mod(I, 2) > 0 ? X1 : X0 - Thick), (mod(int(I/2), 2) > 0 ? Z1 : -4*Thick),
+        #local Corner = <(mod(I, 2) > 0 ? X1 : X0 - Thick), (mod(int(I/2), 2) > 0 ? Z1 : -5*Thick),
             Y0 + (Y1 - Y0)*int(I/4)> + Shift*M - Eye;
         #local U = vdot(Corner, Sideways)/vdot(Corner, Ahead);
         #local V = vdot(Corner, Upwards)/vdot(Corner, Ahead);
@@ -111,10 +111,10 @@ light_source { Eye + Along*Unit rgb 0.28 shadowless }
         internal 2 Words 0.001, 0 scale Size texture { Ink } no_shadow translate Place
     }
 #end
-#declare Step = (Length > 2 ? 1 : (Length > 0.5 ? 0.2 : 0.05));
+#declare Step = (Length > 2 ? 1 : (Length > 1 ? 0.5 : (Length > 0.5 ? 0.2 : 0.05)));
 #declare Flume = union
 {
-    box { <X0 - Thick, -4*Thick, Y0 - Thick>, <X1, 0, Y1 + Thick> }
+    box { <X0 - Thick, -5*Thick, Y0 - Thick>, <X1, 0, Y1 + Thick> }
     box { <X0 - Thick, 0, Y1>, <X1, Z1, Y1 + Thick> }
     #if (Back) box { <X0 - Thick, 0, Y0>, <X0, Z1, Y1> } #end
     #for (I, max(0, ceil(X0/Step)), floor(X1/Step - 0.1))
@@ -124,9 +124,9 @@ light_source { Eye + Along*Unit rgb 0.28 shadowless }
             translate (Y0 - Thick)*z texture { Ink }
         }
         Text(concat(str(I*Step, 0, (Step < 1 ? (Step < 0.1 ? 2 : 1) : 0)), " m"),
-            3.2*Thick, <I*Step + 0.004*Unit, -3.4*Thick, Y0 - 1.1*Thick>)
+            4*Thick, <I*Step + 0.004*Unit, -4.3*Thick, Y0 - 1.1*Thick>)
     #end
-    texture { Plain }
+    texture { Plain } no_shadow
 }
 
 // What the colours of speed are
