@@ -9,7 +9,7 @@
 {
     xs[$1 + 0]; ys[$2 + 0]; zs[$3 + 0]
     alpha[$1 + 0, $2 + 0, $3 + 0] = $5
-    size = $4
+    size = $4; n++
 }
 
 # Sorts the keys of a set into list[1..n], returns n
@@ -53,8 +53,7 @@ function margin(i, j,    di, dj, n, sum)
 
 function within(i, n) { return i < 1 ? 1 : i > n ? n : i }
 
-# Writes heights as a picture, a pixel a column and one more around; the first row is
-# the farthest
+# Heights as a picture, a pixel a column and one more around, the farthest row first
 function picture(f, file,    i, j, h)
 {
     printf "P2\n%d %d\n65535\n", nx + 2, ny + 2 > file
@@ -79,18 +78,19 @@ END {
     dx = (x[nx] - x[1])/(nx - 1); dz = (z[nz] - z[1])/(nz - 1)
     dy = ny > 1 ? (y[ny] - y[1])/(ny - 1) : size^3/(dx*dz)
     height = z[nz] + dz/2
-    for (i = 1; i <= nx; i++) for (j = 1; j <= ny; j++) column(i, j)
-    for (i = 1; i <= nx; i++)
-        for (j = 1; j <= ny; j++)
-        {
-            above[i, j] = (i, j) in top ? top[i, j] : margin(i, j)
-            below[i, j] = (i, j) in top ? low[i, j] : above[i, j] + 0.001
-        }
+    if (n != nx*ny*nz)
+        print "The cells are no grid of boxes: their water is left out" > "/dev/stderr"
+    else for (i = 1; i <= nx; i++) for (j = 1; j <= ny; j++) column(i, j)
     split(range == "" ? x[1] - dx/2 "," x[nx] + dx/2 : range, end, ",")
     printf "#declare X0 = %g; #declare X1 = %g; #declare Y0 = %g; #declare Y1 = %g; " \
         "#declare Z1 = %g; #declare Back = %d;\n", end[1], end[2], y[1] - dy/2, \
         y[ny] + dy/2, upTo ? upTo : height, (end[1] < x[1]) > (name ".flume.inc")
     if (!length(top)) exit
+    for (i = 1; i <= nx; i++) for (j = 1; j <= ny; j++)
+    {
+        above[i, j] = (i, j) in top ? top[i, j] : margin(i, j)
+        below[i, j] = (i, j) in top ? low[i, j] : above[i, j] + 0.001
+    }
     picture(above, name ".top.pgm")
     picture(below, name ".low.pgm")
     # A millimetre beyond the walls: grains are pressed into them a little
