@@ -23,7 +23,7 @@ background { rgb 1 }
 #declare Thick = 0.006*Unit;
 #declare Sign = min(Z1, 0.12*Unit);
 
-// Camera: as far off as twice the length, its frame just around all
+// Camera: as far off as twice what it sees, its frame just around all
 #declare Level = cos(radians(Elevation));
 #declare Ahead = z*Level*cos(radians(Azimuth)) - Along*Level*sin(radians(Azimuth))
     - Up*sin(radians(Elevation));
@@ -32,7 +32,7 @@ background { rgb 1 }
 #if (Apart = 0) #declare Apart = 1.4*Z1; #end
 #declare Shift = -Up*Apart;
 #declare Middle = <(X0 + X1)/2, Z1/2, (Y0 + Y1)/2> + Shift*(Moments - 1)/2;
-#declare Eye = Middle - Ahead*2.2*Unit;
+#declare Eye = Middle - Ahead*2.2*max(Unit, Apart*Moments);
 #declare LowU = 1e9; #declare HighU = -1e9;
 #declare LowV = 1e9; #declare HighV = -1e9;
 #for (M, 0, Moments - 1)
