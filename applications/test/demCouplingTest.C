@@ -210,7 +210,11 @@ TEST(exchangeTime, putsWritingOffToTheEndOfAnInterval)
     const fileName control(box.folder()/"system"/Time::controlDictName);
     dictionary entries{IFstream(control)()};
     entries.set("writeInterval", 3);
-    entries.write(OFstream(control)(), false);
+    OFstream file(control);
+    file<< "FoamFile { version 2.0; format ascii; class dictionary;"
+        " object controlDict; }\n";
+    entries.write(file, false);
+    file.flush();
     exchangeTime time
     (
         Time::controlDictName,
