@@ -2,11 +2,16 @@
 // Parameters chosen by response surfaces.
 
 #include "calibration.H"
+#include "statisticsNames.H"
 
 #include <gtest/gtest.h>
 
 using namespace Foam;
 using namespace Foam::misfit;
+using statistics::calibration;
+using statistics::calibrationTarget;
+using statistics::freeParameter;
+using statistics::responseSurface;
 
 namespace
 {
@@ -46,9 +51,9 @@ std::shared_ptr<const responseSurface> surfaceOfRuns()
 }
 
 
-List<freeParameter> viscosityAndChoice()
+std::vector<freeParameter> viscosityAndChoice()
 {
-    List<freeParameter> parameters(2);
+    std::vector<freeParameter> parameters(2);
     parameters[0].name = "viscosity";
     parameters[0].lower = 0;
     parameters[0].upper = 2;
@@ -76,7 +81,7 @@ TEST(misfitCalibration, theParametersThatMadeTheTargetsAreChosenAmongLevelsToo)
 {
     for (const scalar k : {0, 1})
     {
-        const List<calibrationTarget> targets
+        const std::vector<calibrationTarget> targets
         ({
             target(-1, truth(-1, 0.7, k)),
             target(0.5, truth(0.5, 0.7, k))
@@ -99,7 +104,7 @@ TEST(misfitCalibration, theParametersThatMadeTheTargetsAreChosenAmongLevelsToo)
 
 TEST(misfitCalibration, noParameterIsBeyondItsBounds)
 {
-    const List<calibrationTarget> targets(1, target(0, truth(0, 2.6, 1)));
+    const std::vector<calibrationTarget> targets(1, target(0, truth(0, 2.6, 1)));
     calibration calibrate(viscosityAndChoice(), targets);
     vec chosen;
     vec deviations;

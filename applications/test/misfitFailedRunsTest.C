@@ -15,7 +15,7 @@ TEST(misfitFailedRuns, anExperimentInWhichTheSolverFailsConfirmsNothing)
     s.failIn("B");
     const finding f(diagnose(s));
     show(f);
-    EXPECT_EQ(f.verdict, "unknown");
+    EXPECT_EQ(f.verdict, verdictKind::unknown);
 }
 
 
@@ -25,10 +25,10 @@ TEST(misfitFailedRuns, whatWasNotRunAsItWasFittedIsNotNamed)
     s.failBetween(0);
     const finding f(diagnose(s));
     show(f);
-    EXPECT_EQ(f.verdict, "unknown");
+    EXPECT_EQ(f.verdict, verdictKind::unknown);
     EXPECT_TRUE(f.answer.empty());
     EXPECT_FALSE(passes(f, "computed"));
-    EXPECT_NE(f.told.find("solver failed"), std::string::npos) << f.told;
+    EXPECT_NE(told(f).find("solver failed"), std::string::npos) << told(f);
 }
 
 
@@ -102,8 +102,8 @@ TEST(misfitFailedRuns, aFailedResolutionStopsItAndAFailedPackingIsTold)
     other.failPacking(2);
     const finding f(diagnose(other, set));
     ASSERT_EQ(f.failedRuns.size(), 2);
-    EXPECT_NE(f.failedRuns[0].find("packing 2"), std::string::npos);
-    EXPECT_NE(f.failedRuns[1].find("experiment B"), std::string::npos);
+    EXPECT_NE(told(f.failedRuns[0]).find("packing 2"), std::string::npos);
+    EXPECT_NE(told(f.failedRuns[1]).find("experiment B"), std::string::npos);
 }
 
 
@@ -122,7 +122,7 @@ TEST(misfitFailedRuns, aCandidateThatCrashesTheSolverDropsOut)
     worldSampler s(truth(0, 0.7), 200, vec());
     s.crashWith(3);
     const finding f(diagnose(s));
-    EXPECT_EQ(f.verdict, "named");
+    EXPECT_EQ(f.verdict, verdictKind::named);
     ASSERT_EQ(f.dropped.size(), 1);
     EXPECT_EQ(f.dropped[0].first(), "gate");
     EXPECT_NE(f.dropped[0].second().find("floating point"), std::string::npos);

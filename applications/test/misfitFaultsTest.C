@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What each kind of sensor fault makes of what should have been shown.
 
-#include "clockFault.H"
-#include "driftFault.H"
-#include "gainFault.H"
-#include "lagFault.H"
-#include "misplacedFault.H"
-#include "swappedFault.H"
-#include "unitsFault.H"
-#include "zeroFault.H"
 #include "misfitWorld.H"
 #include "numbersAlone.H"
+#include "words.H"
 
 #include <gtest/gtest.h>
 
@@ -26,9 +19,18 @@ vec number(const scalar a)
 }
 
 
-recordedPtr recorded(const world& w)
+//- The fault of that kind of P1; the one that has that factor
+sensorFault ofP1(const world& w, const faultKind kind, const scalar factor = 1)
 {
-    return std::make_shared<const stacked>(w.data);
+    for (const sensorFault& fault : possibleFaults(w.data, {kind}))
+    {
+        if (fault.channel == "P1" && fault.factor == factor)
+        {
+            return fault;
+        }
+    }
+    ADD_FAILURE() << "P1 has no such fault";
+    return sensorFault();
 }
 
 } // End anonymous namespace
@@ -38,24 +40,24 @@ TEST(misfitFaults, withoutSizeTheyChangeNothing)
 {
     const world w;
     const vec f = w(w.bounds.mean);
-    const faultList all
+    const std::vector<sensorFault> all
     (
         possibleFaults
         (
             w.data,
             {
-                "lag", "gain", "zero", "drift", "clock",
-                "clogged", "misplaced"
+                faultKind::lag, faultKind::gain, faultKind::zero, faultKind::drift, faultKind::clock,
+                faultKind::clogged, faultKind::misplaced
             }
         )
     );
 
     // Six faults of each channel, and P1, P2, P3 each towards two others
     EXPECT_EQ(all.size(), 6*4 + 6);
-    for (const auto& fault : all)
+    for (const sensorFault& fault : all)
     {
-        EXPECT_NEAR(((*fault)(f, vec::Zero(fault->size())) - f).norm(), 0, 1e-9)
-            << fault->told();
+        EXPECT_NEAR((fault(w.data, f, vec::Zero(fault.size())) - f).norm(), 0, 1e-9)
+            << told(fault);
     }
 }
 
@@ -66,8 +68,8 @@ TEST(misfitFaults, aLagIsTheExactAnswerToARamp)
     const segment& s = w.data.segments[0];
     vec f = vec::Zero(w.data.size());
     s.of(f) = s.x.array() - s.x[0];
-    const lagFault lag(recorded(w), 0);
-    const vec shown = lag(f, number(0.5));
+    const vec shown =
+        ofP1(w, faultKind::lag)(w.data, f, number(0.5));
     for (label k = 0; k < s.size; ++k)
     {
         const scalar t = s.x[k] - s.x[0];
@@ -84,18 +86,18 @@ TEST(misfitFaults, theOthersDoWhatTheySay)
     s.of(f) = s.x;
     w.data.segments[1].of(f).setConstant(7);
 
-    EXPECT_NEAR(gainFault(recorded(w), 0)(f, number(0.2))[10], 1.2*s.x[10], 1e-12);
-    EXPECT_NEAR(zeroFault(recorded(w), 0)(f, number(3))[10], s.x[10] + 3, 1e-12);
-    EXPECT_NEAR(driftFault(recorded(w), 0)(f, number(3))[39], s.x[39] + 3, 1e-12);
-    EXPECT_NEAR(clockFault(recorded(w), {0})(f, number(0.3))[20], s.x[20] - 0.3, 1e-9);
-    EXPECT_NEAR(unitsFault(recorded(w), 0, 10)(f, vec())[20], 10*s.x[20], 1e-9);
+    EXPECT_NEAR(ofP1(w, faultKind::gain)(w.data, f, number(0.2))[10], 1.2*s.x[10], 1e-12);
+    EXPECT_NEAR(ofP1(w, faultKind::zero)(w.data, f, number(3))[10], s.x[10] + 3, 1e-12);
+    EXPECT_NEAR(ofP1(w, faultKind::drift)(w.data, f, number(3))[39], s.x[39] + 3, 1e-12);
+    EXPECT_NEAR(ofP1(w, faultKind::clock)(w.data, f, number(0.3))[20], s.x[20] - 0.3, 1e-9);
+    EXPECT_NEAR(ofP1(w, faultKind::units, 10)(w.data, f, vec())[20], 10*s.x[20], 1e-9);
     EXPECT_NEAR
     (
-        misplacedFault(recorded(w), 0, 1)(f, number(0.25))[20],
+        ofP1(w, faultKind::misplaced)(w.data, f, number(0.25))[20],
         0.75*s.x[20] + 0.25*7,
         1e-9
     );
-    const vec swapped = swappedFault(recorded(w), 0, 1)(f, vec());
+    const vec swapped = ofP1(w, faultKind::swapped)(w.data, f, vec());
     EXPECT_NEAR(swapped[20], 7, 1e-12);
     EXPECT_NEAR(swapped[60], s.x[20], 1e-12);
 }
@@ -111,15 +113,15 @@ TEST(misfitFaults, theClockOfARecorderMovesAllItsChannels)
     {
         s.of(f) = s.x;
     }
-    const faultList all
+    const std::vector<sensorFault> all
     (
-        possibleFaults(w.data, {"clock"})
+        possibleFaults(w.data, {faultKind::clock})
     );
     ASSERT_EQ(all.size(), n + 1);
-    EXPECT_EQ(all[0]->told(), "clock of camera");
-    EXPECT_EQ(all[0]->told(number(0.3)), "camera's clock is 0.3 s late");
+    EXPECT_EQ(told(all[0]), "clock of camera");
+    EXPECT_EQ(told(all[0], w.data.segments[0], number(0.3)), "camera's clock is 0.3 s late");
 
-    const vec moved = f - (*all[0])(f, number(0.3));
+    const vec moved = f - all[0](w.data, f, number(0.3));
     for (label i = 0; i < n; ++i)
     {
         const bool here = i == 0 || i == 2;
@@ -132,10 +134,10 @@ TEST(misfitFaults, theClockOfARecorderMovesAllItsChannels)
     // Of channels that were held out, those of the recorder are late as well
     stacked held(w.data);
     held.segments[0].recorder = "";
-    const vec there = f - all[0]->elsewhere(held, f, number(0.3));
+    const vec there = f - all[0].elsewhere(held, f, number(0.3));
     EXPECT_NEAR(there[held.segments[0].first + 20], 0, 1e-12);
     EXPECT_NEAR(there[held.segments[2].first + 20], 0.3, 1e-9);
-    EXPECT_EQ((all[1]->elsewhere(held, f, number(0.3)) - f).norm(), 0);
+    EXPECT_EQ((all[1].elsewhere(held, f, number(0.3)) - f).norm(), 0);
 }
 
 
@@ -145,18 +147,18 @@ TEST(misfitFaults, aNumberAloneHasNoTimeAndNoShape)
     EXPECT_EQ(data.segments[0].duration(), 1);
     EXPECT_EQ(data.segments[1].range(data.y), 2);
 
-    const faultList all
+    const std::vector<sensorFault> all
     (
         possibleFaults
         (
             data,
             {
-                "lag", "gain", "zero", "drift", "clock",
-                "clogged", "swapped", "misplaced"
+                faultKind::lag, faultKind::gain, faultKind::zero, faultKind::drift, faultKind::clock,
+                faultKind::clogged, faultKind::swapped, faultKind::misplaced
             }
         )
     );
     ASSERT_EQ(all.size(), 2);
-    EXPECT_EQ(all[0]->told(), "gain of n0");
-    EXPECT_EQ(all[1]->told(), "gain of n1");
+    EXPECT_EQ(told(all[0]), "gain of n0");
+    EXPECT_EQ(told(all[1]), "gain of n1");
 }

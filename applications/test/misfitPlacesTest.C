@@ -2,7 +2,7 @@
 // Where a misfit is, and what a Gaussian process learns of it.
 
 #include "gaussianProcess.H"
-#include "scan.H"
+#include "statisticsNames.H"
 
 #include <gtest/gtest.h>
 
@@ -30,8 +30,8 @@ stacked channels(const label n)
         s.readings = vec::Ones(20);
         s.uncertainty = 1;
         s.hasPlace = true;
-        s.place = point(i, 0, 0);
-        data.segments.append(s);
+        s.place = Eigen::Vector3d(i, 0, 0);
+        data.segments.push_back(s);
     }
     data.y = vec::Zero(20*n);
     return data;
@@ -57,9 +57,9 @@ TEST(misfitStretches, aHumpIsOneStretchWithItsLengthAndSign)
     vec misfit = vec::Zero(40);
     misfit.segment(25, 6).setConstant(-3);
     misfit[28] = -1;
-    const List<window> found
+    const std::vector<window> found
     (
-        stretches(data, misfit, mat::Identity(40, 40), 2)
+        statistics::stretches(data, misfit, mat::Identity(40, 40), 2)
     );
     ASSERT_EQ(found.size(), 1);
     EXPECT_EQ(found[0].segment, 1);
@@ -76,7 +76,7 @@ TEST(misfitStretches, theSignAndALongGapDivide)
     misfit.segment(2, 3).setConstant(4);
     misfit.segment(5, 3).setConstant(-4);
     misfit.segment(11, 2).setConstant(-5);
-    EXPECT_EQ(stretches(data, misfit, mat::Identity(20, 20), 2).size(), 3);
+    EXPECT_EQ(statistics::stretches(data, misfit, mat::Identity(20, 20), 2).size(), 3);
 }
 
 
@@ -85,9 +85,9 @@ TEST(misfitStretches, aSingleSampleMustBeFurtherOff)
     const stacked data(channels(1));
     vec misfit = vec::Zero(20);
     misfit[7] = 2.5;
-    EXPECT_TRUE(stretches(data, misfit, mat::Identity(20, 20), 2).empty());
+    EXPECT_TRUE(statistics::stretches(data, misfit, mat::Identity(20, 20), 2).empty());
     misfit[7] = 3.5;
-    EXPECT_EQ(stretches(data, misfit, mat::Identity(20, 20), 2).size(), 1);
+    EXPECT_EQ(statistics::stretches(data, misfit, mat::Identity(20, 20), 2).size(), 1);
 }
 
 
@@ -101,8 +101,8 @@ TEST(misfitScan, aShapeThatIsLookedForIsSeenWhereNoWindowSeesIt)
         shape[i] = i % 2 ? 1 : -1;
     }
     const vec misfit = 5*shape.normalized();
-    EXPECT_GT(scan(data, white, 1000, 1)(misfit, 0.05).p, 0.05);
-    EXPECT_LT(scan(data, white, 1000, 1, shape)(misfit, 0.05).p, 0.01);
+    EXPECT_GT(statistics::scan(data, white, 1000, 1)(misfit, 0.05).p, 0.05);
+    EXPECT_LT(statistics::scan(data, white, 1000, 1, shape)(misfit, 0.05).p, 0.01);
 }
 
 
@@ -117,7 +117,7 @@ TEST(misfitScan, shapesMakeNoMoreFalseAlarms)
     {
         x = normal(generator);
     }
-    const scan look(data, white, 500, 1, shapes);
+    const statistics::scan look(data, white, 500, 1, shapes);
     label alarms = 0;
     for (label n = 0; n < 400; ++n)
     {
@@ -137,10 +137,10 @@ TEST(misfitGaussianProcess, aSmoothMisfitIsLearntAndNoiseIsNot)
     stacked data(channels(3));
     data.y = 10*vec::Ones(60) + hump(data, 20);
     const vec misfit = hump(data, 20);
-    const gaussianProcess learnt(data, misfit, mat::Identity(60, 60));
+    const statistics::gaussianProcess learnt(data, misfit, mat::Identity(60, 60));
     EXPECT_LT((learnt(data) - misfit).norm(), 0.1*misfit.norm());
 
-    const gaussianProcess nothing(data, vec::Zero(60), mat::Identity(60, 60));
+    const statistics::gaussianProcess nothing(data, vec::Zero(60), mat::Identity(60, 60));
     EXPECT_LT(nothing(data).norm(), 1e-12);
 }
 
@@ -150,8 +150,8 @@ TEST(misfitGaussianProcess, aChannelBetweenTwoIsExpectedToDoAsThey)
     stacked data(channels(3));
     data.y = hump(data, 20);
     stacked between(channels(1));
-    between.segments[0].place = point(0.5, 0, 0);
-    const gaussianProcess learnt(data, data.y, mat::Identity(60, 60));
+    between.segments[0].place = Eigen::Vector3d(0.5, 0, 0);
+    const statistics::gaussianProcess learnt(data, data.y, mat::Identity(60, 60));
     const vec there = hump(between, 20);
     EXPECT_LT((learnt(between) - there).norm(), 0.2*there.norm());
 }
@@ -163,6 +163,6 @@ TEST(misfitGaussianProcess, anotherQuantityIsNotTouched)
     data.y = hump(data, 20);
     stacked level(channels(1));
     level.segments[0].quantity = "length";
-    const gaussianProcess learnt(data, data.y, mat::Identity(40, 40));
+    const statistics::gaussianProcess learnt(data, data.y, mat::Identity(40, 40));
     EXPECT_EQ(learnt(level).norm(), 0);
 }

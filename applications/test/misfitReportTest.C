@@ -5,6 +5,7 @@
 #include "report.H"
 #include "misfitWorld.H"
 #include "temporaryFolder.H"
+#include "words.H"
 
 #include "StringStream.H"
 
@@ -29,15 +30,22 @@ finding found()
     w.data.y = w(x);
 
     finding f;
-    f.verdict = "named";
+    f.verdict = verdictKind::named;
     f.names = {"porePressure"};
-    f.told = "Left out: \"pore\" <pressure>";
     f.confidence = 0.9;
     f.detection = {0.001, 0.001, 0.001, 100, {{0, 5, 9, 12}}};
     f.raw = f.detection;
-    f.located = {"P1, 1 to 2 s"};
+    f.located = {{{0, 5, 9, 12}, 50}};
     f.strengths.append({"porePressure", 0.7, 0.1, false});
-    f.gates.append({"detection", "chance", "0.001", "below 0.05", true, true});
+    for (label kind = 0; kind <= label(gateKind::placebo); ++kind)
+    {
+        f.gates.addNothing(gateKind(kind));
+    }
+    gate detection;
+    detection.kind = gateKind::detection;
+    detection.value = 0.001;
+    detection.limit = 0.05;
+    f.gates.add(detection);
     f.data = w.data;
     f.before = base;
     f.after = w.data.y;
@@ -49,15 +57,39 @@ finding found()
     };
     f.held.append
     ({
-        "held-out channels", purpose::gate, w.data, base, w.data.y, f.sigma,
-        9, 1
+        heldOut::part::channels, "A", purpose::gate, w.data, base, w.data.y,
+        f.sigma, 9, 1, 1.5
     });
     weighed best;
     best.what.mechanisms = {0};
     best.score = 0;
-    f.explanations.append(best);
-    f.library = {"porePressure"};
+    f.explained = explanations({best});
+    f.library = {"porePressure", "walls"};
     return f;
+}
+
+
+//- The explanation that is judged
+hypothesis& judged(finding& f)
+{
+    return f.explained.all().front().what;
+}
+
+
+weighed mechanisms(const std::vector<int>& on)
+{
+    weighed w;
+    w.what.mechanisms = on;
+    return w;
+}
+
+
+gate notAsked(const gateKind kind)
+{
+    gate g;
+    g.kind = kind;
+    g.applies = false;
+    return g;
 }
 
 
@@ -104,8 +136,10 @@ TEST(misfitReport, theRecordIsReadableByPrograms)
     const auto j = nlohmann::json::parse(verdictJson(found(), "case"));
     EXPECT_EQ(j["verdict"], "named");
     EXPECT_EQ(j["names"][0], "porePressure");
-    EXPECT_EQ(j["words"], "Left out: \"pore\" <pressure>");
+    EXPECT_EQ(j["words"], told(found()));
     EXPECT_EQ(j["located"][0]["channel"], "P1");
+    EXPECT_EQ(j["gates"][0]["name"], "detection");
+    EXPECT_EQ(j["gates"][0]["value"], "0.001");
     EXPECT_EQ(j["gates"][0]["result"], "passed");
     EXPECT_EQ(j["heldOut"][0]["meanSquareAfter"], 1);
     EXPECT_NEAR(j["uncertainty"]["P1"]["whole"], 20, 1e-9);
@@ -124,7 +158,7 @@ TEST(misfitReport, oneFileHoldsWordsAndPictures)
     (
         (std::istreambuf_iterator<char>(is)), std::istreambuf_iterator<char>()
     );
-    EXPECT_NE(html.find("&lt;pressure&gt;"), std::string::npos);
+    EXPECT_NE(html.find("Left out: porePressure"), std::string::npos);
     label pictures = 0;
     for
     (
@@ -178,13 +212,13 @@ TEST(misfitReport, aCandidateIsToldByItsTitleAndWhatItSets)
     finding f(found());
     EXPECT_TRUE(says(box(f), "porePressure: water that cannot leave at once."));
 
-    // A candidate that is called as a word of the sentence is not meant by it
-    f.told = "Nothing passes the gate porePressure.";
+    // One that is called as a part of another name is not meant by it
     f.names = {"porePressures"};
-    f.explanations[0].what.mechanisms.clear();
+    judged(f).mechanisms.clear();
     EXPECT_FALSE(says(box(f), "water that cannot leave"));
-    f.verdict = "set";
-    f.names = {"gate", word("porePressure and walls", false)};
+    f.verdict = verdictKind::set;
+    f.names.clear();
+    f.alternatives = {mechanisms({1}), mechanisms({0, 1})};
     EXPECT_TRUE(says(box(f), "porePressure: water that cannot leave at once."));
 }
 
@@ -201,16 +235,24 @@ TEST(misfitReport, theConfidenceSaysOfWhat)
             " the explanations that were weighed."
         )
     );
-    f.names.append("gate");
-    f.verdict = "set";
+    f.verdict = verdictKind::set;
+    f.names.clear();
+    f.alternatives = {mechanisms({0}), mechanisms({1})};
     EXPECT_TRUE(says(box(f), "90 % that one of these is at least part"));
-    f.verdict = "sensor";
+    f.alternatives.clear();
+    f.verdict = verdictKind::sensor;
     f.names = {"P1"};
+    judged(f).mechanisms.clear();
+    judged(f).fault = possibleFaults(f.data, {faultKind::gain}).front();
+    f.explained.all().front().best.x = vec::Constant(1, 0.2);
+    f.explained.all().front().best.pinned = {false};
+    f.explained.all().front().best.covariance = mat::Zero(1, 1);
+    EXPECT_TRUE(says(box(f), "P1 reads 20 % too high"));
     EXPECT_TRUE(says(box(f), "90 % that the fault is at P1"));
     f.names.clear();
-    f.verdict = "unknown";
+    f.verdict = verdictKind::unknown;
     EXPECT_TRUE(says(box(f), "90 % that no candidate and no fault of one sensor"));
-    f.verdict = "none";
+    f.verdict = verdictKind::none;
     EXPECT_TRUE(says(box(f), "90 % that nothing missing and no fault is needed"));
 }
 
@@ -222,8 +264,11 @@ TEST(misfitReport, theTopSaysWhatWasNotWeighed)
 
     f.dropped =
     {
-        {"lift", "the solver failed with it: floating point exception"},
-        {"gate", "the recording differs the other way in what it changes"}
+        {
+            "lift", droppedCandidate::reason::failed, "floating point exception",
+            0, 0
+        },
+        {"gate", droppedCandidate::reason::opposite, "", 0, 0}
     };
     EXPECT_TRUE
     (
@@ -240,21 +285,23 @@ TEST(misfitReport, theTopSaysWhatWasNotWeighed)
 TEST(misfitReport, aGateThatCouldNotBeAskedIsToldFromOneWithNothingToAsk)
 {
     finding f(found());
-    f.gates =
+    f.gates = gateList();
+    for (label kind = 0; kind <= label(gateKind::placebo); ++kind)
     {
-        {"adequacy", "", "", "", false, true},
-        {"stability", "", "", "", false, true}
-    };
+        f.gates.addNothing(gateKind(kind));
+    }
+    f.gates.add(notAsked(gateKind::adequacy));
+    f.gates.add(notAsked(gateKind::stability));
     const std::string known(reportHtml(f, today(), {}));
     EXPECT_TRUE(says(known, "nothing to ask"));
     EXPECT_FALSE(says(known, "not asked"));
 
-    f.explanations[0].what.unknown = true;
+    judged(f).unknown = true;
     const std::string partly(reportHtml(f, today(), {}));
     EXPECT_TRUE(says(partly, "not asked: the answer has something unknown"));
     EXPECT_TRUE(says(partly, "nothing to ask"));
 
-    f.explanations[0].what.mechanisms.clear();
+    judged(f).mechanisms.clear();
     const std::string unknown(reportHtml(f, today(), {}));
     EXPECT_TRUE(says(unknown, "not asked: nothing that is known is judged"));
     EXPECT_FALSE(says(unknown, "nothing to ask"));
@@ -266,10 +313,10 @@ TEST(misfitReport, noNumberIsTooLargeToRead)
     finding f(found());
     f.held[0].squareBefore = 2;
     f.held[0].squareAfter = 1e17;
-    weighed far(f.explanations[0]);
+    weighed far(f.best());
     far.what.mechanisms.clear();
     far.score = 1.3e297;
-    f.explanations.append(far);
+    f.explained.all().push_back(far);
     f.correction.asked = true;
     f.correction.held = f.held;
     const std::string page(reportHtml(f, today(), {}));
@@ -280,11 +327,10 @@ TEST(misfitReport, noNumberIsTooLargeToRead)
     // Of a channel that shows nothing the range is nought
     stacked data(f.data);
     data.segments[0].of(data.y).setZero();
-    const vec misfit = vec::Constant(data.size(), 700);
-    const window w{0, 5, 9, 12};
+    const place p{{0, 5, 9, 12}, 700};
     EXPECT_TRUE
     (
-        says(told(w, data, misfit), "the simulation is more than 1000 % of the range")
+        says(told(p, data), "the simulation is more than 1000 % of the range")
     );
 }
 

@@ -2,7 +2,6 @@
 // Which fault of a sensor is said: sensors that show nothing, or not all, beside
 // those that show it wrongly.
 
-#include "deadFault.H"
 #include "worldDiagnosis.H"
 
 #include <gtest/gtest.h>
@@ -35,24 +34,24 @@ finding diagnosed(const vec& shown)
 
 
 //- That verdict on P1, with these words
-void expectP1(const finding& f, const word& verdict, const std::string& words)
+void expectP1(const finding& f, const verdictKind verdict, const std::string& words)
 {
     EXPECT_EQ(f.verdict, verdict);
     EXPECT_EQ(f.names, wordList({"P1"}));
-    EXPECT_NE(f.told.find(words), std::string::npos) << f.told;
+    EXPECT_NE(told(f).find(words), std::string::npos) << told(f);
 }
 
 
 //- What P1 alone may have, of these kinds, where it shows that
-label possible(const vec& shown, const wordList& kinds)
+label possible(const vec& shown, const std::vector<faultKind>& kinds)
 {
     world w(20);
     w.data.y = w(truth(-1, 0));
     w.data.segments[0].of(w.data.y) = shown;
     label n = 0;
-    for (const auto& f : possibleFaults(w.data, kinds))
+    for (const sensorFault& f : possibleFaults(w.data, kinds))
     {
-        n += f->channel() == "P1";
+        n += f.channel == "P1";
     }
     return n;
 }
@@ -66,7 +65,7 @@ TEST(misfitSensorFault, oneThatShowsNothingIsDead)
     s.mislabel(0);
     const finding f(diagnose(s));
     show(f);
-    expectP1(f, "sensor", "P1 shows 0 Pa throughout, whatever happens: it is dead");
+    expectP1(f, verdictKind::sensor, "P1 shows 0 Pa throughout, whatever happens: it is dead");
 }
 
 
@@ -74,7 +73,7 @@ TEST(misfitSensorFault, oneThatIsStuckAtSomethingIsDeadToo)
 {
     for (const scalar c : {-300., 0., 40., 500., 2000.})
     {
-        expectP1(diagnosed(vec::Constant(20, c)), "sensor", "dead or stuck");
+        expectP1(diagnosed(vec::Constant(20, c)), verdictKind::sensor, "dead or stuck");
     }
 }
 
@@ -87,8 +86,8 @@ TEST(misfitSensorFault, oneThatShowsNothingAboveAValueIsSaturated)
     {
         const scalar c = f.minCoeff() + share*range;
         const finding found(diagnosed(f.cwiseMin(c)));
-        expectP1(found, "sensor", "P1 is saturated: it shows nothing above ");
-        EXPECT_NEAR(found.explanations[0].best.x.tail(1)[0], c, 0.05*range);
+        expectP1(found, verdictKind::sensor, "P1 is saturated: it shows nothing above ");
+        EXPECT_NEAR(found.best().best.x.tail(1)[0], c, 0.05*range);
     }
 }
 
@@ -96,16 +95,16 @@ TEST(misfitSensorFault, oneThatShowsNothingAboveAValueIsSaturated)
 TEST(misfitSensorFault, theOthersAreStillTold)
 {
     const vec f = trueP1();
-    expectP1(diagnosed(1.3*f), "sensor", "% too high");
-    expectP1(diagnosed(0.1*f), "sensor", "% too low");
-    expectP1(diagnosed(f.array() + 90), "sensor", "zero is off");
-    expectP1(diagnosed(f.array() - 90), "sensor", "zero is off");
-    expectP1(diagnosed(-f), "registration", "in another unit");
+    expectP1(diagnosed(1.3*f), verdictKind::sensor, "% too high");
+    expectP1(diagnosed(0.1*f), verdictKind::sensor, "% too low");
+    expectP1(diagnosed(f.array() + 90), verdictKind::sensor, "zero is off");
+    expectP1(diagnosed(f.array() - 90), verdictKind::sensor, "zero is off");
+    expectP1(diagnosed(-f), verdictKind::registration, "in another unit");
     for (const scalar factor : {1e-3, 0.1, 10., 1e3})
     {
         worldSampler s(truth(-1, 0), 300, vec());
         s.mislabel(factor);
-        expectP1(diagnose(s), "registration", "in another unit");
+        expectP1(diagnose(s), verdictKind::registration, "in another unit");
     }
 
     const segment s(world(20).data.segments[0]);
@@ -115,7 +114,7 @@ TEST(misfitSensorFault, theOthersAreStillTold)
         const scalar before = max(i - 2., 0.);
         late[i] = f[label(before)];
     }
-    expectP1(diagnosed(late), "registration", "clock is");
+    expectP1(diagnosed(late), verdictKind::registration, "clock is");
 }
 
 
@@ -129,19 +128,19 @@ TEST(misfitSensorFault, nothingHasNoUnitAndWhatMovesIsNotDead)
     }
     for (const vec& nothing : {zero, hum})
     {
-        EXPECT_EQ(possible(nothing, {"units"}), 0);
-        EXPECT_EQ(possible(nothing, {"dead", "saturated"}), 1);
+        EXPECT_EQ(possible(nothing, {faultKind::units}), 0);
+        EXPECT_EQ(possible(nothing, {faultKind::dead, faultKind::saturated}), 1);
     }
 
     // In kPa for Pa it varies by less than its noise, but as a surge does
     for (const scalar factor : {1e-3, 1., 10.})
     {
-        EXPECT_EQ(possible(factor*trueP1(), {"units"}), 7) << factor;
-        EXPECT_EQ(possible(factor*trueP1(), {"dead"}), 0) << factor;
+        EXPECT_EQ(possible(factor*trueP1(), {faultKind::units}), 7) << factor;
+        EXPECT_EQ(possible(factor*trueP1(), {faultKind::dead}), 0) << factor;
     }
 
     // A level that rests, in another unit, is not nothing
-    EXPECT_EQ(possible(vec::Constant(20, 1000), {"units"}), 7);
+    EXPECT_EQ(possible(vec::Constant(20, 1000), {faultKind::units}), 7);
 }
 
 
@@ -149,14 +148,18 @@ TEST(misfitSensorFault, whatItShowedIsToldInThreeDigits)
 {
     world w(20);
     w.data.y.setZero();
-    const deadFault dead(std::make_shared<const stacked>(w.data), 0);
+    const segment& at = w.data.segments[0];
+    const sensorFault dead
+    (
+        possibleFaults(w.data, {faultKind::dead}).front()
+    );
     EXPECT_EQ
     (
-        dead.told(vec(vec::Constant(1, 2004.))),
+        told(dead, at, vec::Constant(1, 2004.)),
         "P1 shows 2000 Pa throughout, whatever happens: it is dead or stuck"
     );
-    EXPECT_NE(dead.told(vec(vec::Constant(1, -0.008))).find(" 0 Pa"), string::npos);
-    EXPECT_NE(dead.told(vec(vec::Constant(1, 12345.))).find(" 12300 Pa"), string::npos);
+    EXPECT_NE(told(dead, at, vec::Constant(1, -0.008)).find(" 0 Pa"), string::npos);
+    EXPECT_NE(told(dead, at, vec::Constant(1, 12345.)).find(" 12300 Pa"), string::npos);
 }
 
 
@@ -164,14 +167,14 @@ TEST(misfitSensorFault, itCanBeToldWhenWhatWasRecordedIsGone)
 {
     stacked data(world(20).data);
     data.y.setOnes();
-    faultList faults(possibleFaults(data, {"gain"}));
-    faults.append(possibleFaults(data, {"misplaced"}).first());
+    std::vector<sensorFault> faults(possibleFaults(data, {faultKind::gain}));
+    faults.push_back(possibleFaults(data, {faultKind::misplaced}).front());
     for (segment& s : data.segments)
     {
         s.name = "gone";
     }
-    EXPECT_EQ(faults.first()->told(), "gain of P1");
-    EXPECT_EQ(faults.last()->told(), "misplaced of P1 towards P2");
+    EXPECT_EQ(told(faults.front()), "gain of P1");
+    EXPECT_EQ(told(faults.back()), "misplaced of P1 towards P2");
 }
 
 
@@ -183,6 +186,6 @@ TEST(misfitSensorFault, aFindingIsWholeWithoutItsDiagnosis)
         s.mislabel(0);
         kept = diagnose(s);
     }
-    ASSERT_TRUE(kept.explanations[0].what.fault != nullptr);
-    EXPECT_EQ(kept.explanations[0].what.fault->told(), "dead of P1");
+    ASSERT_TRUE(kept.best().what.fault.has_value());
+    EXPECT_EQ(told(*kept.best().what.fault), "dead of P1");
 }

@@ -2,7 +2,7 @@
 // Refits in the solver: they settle where the surface is right, and turn back where
 // it leads too far.
 
-#include "settle.H"
+#include "refit.H"
 
 #include <gtest/gtest.h>
 
@@ -11,15 +11,6 @@ using namespace Foam::misfit;
 
 namespace
 {
-
-//- A number x whose square misfit is to vanish
-struct number
-{
-    fitted best;
-
-    scalar score = GREAT;
-};
-
 
 //- The solver gives steepness*x, and fails below a limit; the surface through the
 //  last run has slope 1, so that each step overshoots if the steepness is above 2
@@ -41,10 +32,10 @@ public:
         limit_(limit)
     {}
 
-    settled<number> from(const scalar start)
+    refitted from(const scalar start)
     {
-        refitting<number> with;
-        with.expand = [](const number& n)
+        refitting with;
+        with.expand = [](const weighed& n)
         {
             return n.best.x;
         };
@@ -60,19 +51,19 @@ public:
             at_ = x[0];
             given_ = s.fit[0];
         };
-        with.stay = [this](number n)
+        with.stay = [this](weighed n)
         {
             n.score = sqr(given_ + n.best.x[0] - at_);
             return n;
         };
-        with.fit = [this](number n)
+        with.fit = [this](weighed n)
         {
             n.best.x[0] = at_ - given_;
             return n;
         };
-        number n;
+        weighed n;
         n.best.x = vec::Constant(1, start);
-        return settle(n, 6, vec::Constant(1, 1), with);
+        return refit(n, 6, vec::Constant(1, 1), with);
     }
 };
 
@@ -81,7 +72,7 @@ public:
 
 TEST(misfitSettle, aSurfaceThatIsNearlyRightIsFollowed)
 {
-    const settled<number> s(steepSolver(1.2).from(1));
+    const refitted s(steepSolver(1.2).from(1));
     EXPECT_NEAR(s.variables[0], 0, 0.05);
     EXPECT_NEAR(s.best.best.x[0], 0, 0.01);
 }
@@ -89,7 +80,7 @@ TEST(misfitSettle, aSurfaceThatIsNearlyRightIsFollowed)
 
 TEST(misfitSettle, whatGoesToAndFroTurnsBackAndEndsWhereItWasComputed)
 {
-    const settled<number> s(steepSolver(3).from(1));
+    const refitted s(steepSolver(3).from(1));
     EXPECT_LT(mag(s.variables[0]), 0.3);
     EXPECT_EQ(s.best.best.x[0], s.variables[0]);
     EXPECT_EQ(s.given.fit[0], 3*s.variables[0]);
@@ -99,7 +90,7 @@ TEST(misfitSettle, whatGoesToAndFroTurnsBackAndEndsWhereItWasComputed)
 
 TEST(misfitSettle, whereTheSolverFailsOnTheWayHalfOfItIsTried)
 {
-    const settled<number> s(steepSolver(1.8, -0.6).from(1));
+    const refitted s(steepSolver(1.8, -0.6).from(1));
     EXPECT_TRUE(s.failure.empty());
     EXPECT_LT(mag(s.variables[0]), 0.3);
     EXPECT_TRUE(s.given.ok());
@@ -108,7 +99,7 @@ TEST(misfitSettle, whereTheSolverFailsOnTheWayHalfOfItIsTried)
 
 TEST(misfitSettle, whereTheSolverFailsAtOnceTheFitStaysAndSaysWhy)
 {
-    const settled<number> s(steepSolver(1, 2).from(1));
+    const refitted s(steepSolver(1, 2).from(1));
     EXPECT_EQ(s.failure, "below the limit");
     EXPECT_EQ(s.variables.size(), 0);
     EXPECT_EQ(s.best.best.x[0], 1);

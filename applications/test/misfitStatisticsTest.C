@@ -26,7 +26,7 @@ stacked oneChannel(const label n, const scalar memory)
     s.readings = vec::Constant(n, 10);
     s.uncertainty = 2;
     s.memory = memory;
-    data.segments.append(s);
+    data.segments.push_back(s);
     data.y = vec::Zero(n);
     return data;
 }
@@ -65,7 +65,7 @@ vec quadratic(const vec& x)
 //- A straight line through the samples, with priors and bounds
 class line
 :
-    public fittedModel
+    public statistics::fittedModel
 {
 public:
 
@@ -173,25 +173,25 @@ TEST(misfitCovariance, itsSourcesMakeUpTheWhole)
     covariance c(data, 0.02);
     c.addRepeats(runs, 1);
     c.addDifference("mesh", 0.05*f);
-    const List<uncertaintySource> sources(c.sources(f));
+    const std::vector<uncertaintySource> sources(c.sources(f));
     ASSERT_EQ(sources.size(), 4);
     vec sum = vec::Zero(40);
     for (const uncertaintySource& s : sources)
     {
-        EXPECT_GT(s.second().maxCoeff(), 0) << s.first();
-        sum += s.second().cwiseAbs2();
+        EXPECT_GT(s.second.maxCoeff(), 0) << s.first;
+        sum += s.second.cwiseAbs2();
     }
     const vec whole = c.at(f).diagonal();
     EXPECT_LT((sum - whole).cwiseAbs().maxCoeff(), 1e-9*whole.maxCoeff());
 
     // The change itself and its parametric part, which is twice as large
-    EXPECT_EQ(sources[2].first(), "mesh");
+    EXPECT_EQ(sources[2].first, "mesh");
     EXPECT_NEAR
     (
-        sources[2].second().squaredNorm(), 5*Foam::sqr(0.05)*f.squaredNorm(),
+        sources[2].second.squaredNorm(), 5*Foam::sqr(0.05)*f.squaredNorm(),
         0.3*5*Foam::sqr(0.05)*f.squaredNorm()
     );
-    EXPECT_EQ(sources[3].first(), "start of time");
+    EXPECT_EQ(sources[3].first, "start of time");
 }
 
 
@@ -199,9 +199,9 @@ TEST(misfitCovariance, whatStandsStillHasNoUncertaintyOfTheStartOfTime)
 {
     const stacked data(oneChannel(40, 0));
     const vec still = vec::Constant(40, 5);
-    const List<uncertaintySource> sources(covariance(data, 0.02).sources(still));
-    EXPECT_EQ(sources[1].first(), "start of time");
-    EXPECT_EQ(sources[1].second().maxCoeff(), 0);
+    const std::vector<uncertaintySource> sources(covariance(data, 0.02).sources(still));
+    EXPECT_EQ(sources[1].first, "start of time");
+    EXPECT_EQ(sources[1].second.maxCoeff(), 0);
 }
 
 
@@ -263,7 +263,7 @@ TEST(misfitSurface, eachUnknownChangedAloneGivesItsQuadratic)
     {
         y.col(r) = quadratic(x.col(r));
     }
-    const responseSurface s(x, y, vec::Zero(2), vec::Constant(2, 1));
+    const statistics::responseSurface s(x, y, vec::Zero(2), vec::Constant(2, 1));
     EXPECT_EQ(s.nTerms(), 5);
     EXPECT_EQ(s.leftOut().cols(), 0);
     vec at(2);
@@ -287,7 +287,7 @@ TEST(misfitSurface, aBankGivesMixedTermsAndItsOwnError)
         y.col(r) = quadratic(x.col(r));
         y(1, r) += 0.1*normal(generator);
     }
-    const responseSurface s(x, y, vec::Zero(2), vec::Constant(2, 2));
+    const statistics::responseSurface s(x, y, vec::Zero(2), vec::Constant(2, 2));
     EXPECT_EQ(s.nTerms(), 6);
     vec at(2);
     at << 0.3, -0.6;
@@ -303,7 +303,7 @@ TEST(misfitSurface, aBankGivesMixedTermsAndItsOwnError)
         mat otherY(3, 29);
         otherX << x.leftCols(r), x.rightCols(29 - r);
         otherY << y.leftCols(r), y.rightCols(29 - r);
-        const responseSurface without
+        const statistics::responseSurface without
         (
             otherX, otherY, vec::Zero(2), vec::Constant(2, 2)
         );
@@ -318,7 +318,7 @@ TEST(misfitSurface, aBankGivesMixedTermsAndItsOwnError)
 TEST(misfitSurface, slopesAreDifferencesAndARunIsMet)
 {
     const world w(10);
-    responseSurface s(w.bank(80, 2));
+    statistics::responseSurface s(w.bank(80, 2));
     vec at = vec::Constant(w.bounds.mean.size(), 0.2);
     const mat slopes = s.slopes(at);
     for (label i = 0; i < at.size(); ++i)
@@ -346,7 +346,7 @@ TEST(misfitFit, withAPriorItIsTheClosedForm)
     vec y(3);
     y << 2, 3, 7;
     const whitener white(0.25*mat::Identity(3, 3));
-    const fitted best(fit(l, y, white));
+    const fitted best(statistics::fit(l, y, white));
 
     mat precision = 4*l.a.transpose()*l.a;
     precision(0, 0) += 4;
@@ -370,14 +370,14 @@ TEST(misfitFit, variancesHaveAnyUnitsAndAFlatDirectionIsNotKnown)
     l.priorDeviation << 1e-8, 2;
     const whitener white(mat::Identity(3, 3));
     const vec y = vec::Zero(3);
-    const fitted both(fit(l, y, white));
+    const fitted both(statistics::fit(l, y, white));
     EXPECT_NEAR(both.deviation(0), 1e-8, 1e-12);
     EXPECT_NEAR(both.deviation(1), 2, 1e-6);
 
     // Only their sum is known
     l.a.setOnes();
     l.priorDeviation.setZero();
-    const fitted sum(fit(l, y, white));
+    const fitted sum(statistics::fit(l, y, white));
     EXPECT_GT(sum.deviation(0), 1e3);
     EXPECT_GT(sum.deviation(1), 1e3);
 }
@@ -390,7 +390,7 @@ TEST(misfitFit, aBoundHoldsAndIsTold)
     l.least << -100, 0;
     vec y(3);
     y << 5, 4, 3;
-    const fitted best(fit(l, y, whitener(mat::Identity(3, 3))));
+    const fitted best(statistics::fit(l, y, whitener(mat::Identity(3, 3))));
     EXPECT_NEAR(best.x[1], 0, 1e-9);
     EXPECT_NEAR(best.x[0], 4, 1e-6);
     EXPECT_TRUE(best.pinned[1]);
@@ -409,7 +409,7 @@ TEST(misfitFit, withinBoundsNoVariableIsSurerOrLessSureThanTheyLeave)
     l.most = vec::Zero(2);
     const mat curvature =
         l.a.transpose()*l.a + mat(vec::Constant(2, 0.01).asDiagonal());
-    const mat known = covarianceWithin(l, white, vec::Zero(2));
+    const mat known = statistics::covarianceWithin(l, white, vec::Zero(2));
     EXPECT_LT((known*curvature - mat::Identity(2, 2)).norm(), 1e-10);
 
     // Two that act alike: along what no sample shows, the width of the bounds
@@ -420,7 +420,7 @@ TEST(misfitFit, withinBoundsNoVariableIsSurerOrLessSureThanTheyLeave)
     vec hidden(2);
     hidden << 2, -1;
     hidden.normalize();
-    const mat open = covarianceWithin(l, white, vec::Zero(2));
+    const mat open = statistics::covarianceWithin(l, white, vec::Zero(2));
     EXPECT_NEAR(hidden.dot(open*hidden), 4, 1e-6);
 }
 
@@ -430,7 +430,7 @@ TEST(misfitScan, falseAlarmsAreAsFewAsSaid)
     const world w;
     const covariance c(w.data, 0);
     const whitener white(c.at(w.data.y));
-    const scan look(w.data, white, 1000, 1);
+    const statistics::scan look(w.data, white, 1000, 1);
     std::mt19937 generator(11);
     label alarms = 0;
     const label n = 400;
@@ -450,7 +450,7 @@ TEST(misfitScan, aDifferenceIsFoundWhereItIs)
 {
     const world w;
     const whitener white(covariance(w.data, 0).at(w.data.y));
-    const scan look(w.data, white, 500, 1);
+    const statistics::scan look(w.data, white, 500, 1);
     std::mt19937 generator(4);
     vec misfit = w.noise(generator);
     misfit.segment(40 + 10, 8).array() -= 40;
@@ -468,11 +468,11 @@ TEST(misfitScan, whatCalibrationCanExplainIsNoFinding)
 {
     const world w;
     const mat c = covariance(w.data, 0).at(w.data.y);
-    const responseSurface s(w.bank(80, 2));
+    const statistics::responseSurface s(w.bank(80, 2));
     const vec direction = s.slopes(w.bounds.mean).col(0);
-    const mat all = withFitted(c, direction, vec::Zero(1));
+    const mat all = statistics::withFitted(c, direction, vec::Zero(1));
     const whitener white(all);
-    const scan look(w.data, white, 500, 1);
+    const statistics::scan look(w.data, white, 500, 1);
     std::mt19937 generator(4);
     const vec e = w.noise(generator);
     EXPECT_GT(look(e, 0.05).p, 0.05);
@@ -488,7 +488,7 @@ TEST(misfitScan, aFreeDirectionOfOneChannelIsTakenOutBesideMuchLargerUnits)
     c.bottomRightCorner(n, n) *= sqr(1e-6/50);
     mat direction = mat::Zero(2*n, 1);
     direction.bottomRows(n).setOnes();
-    const whitener white(withFitted(c, direction, vec::Zero(1)));
+    const whitener white(statistics::withFitted(c, direction, vec::Zero(1)));
 
     vec offset = vec::Zero(2*n);
     offset.tail(n).setConstant(1e-5);

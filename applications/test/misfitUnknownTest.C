@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// S8 on a surge in closed form: what no candidate explains is found by a free
+// On a surge in closed form: what no candidate explains is found by a free
 // correction, in its place or by its dimensionless number, and noise is not.
 
 #include "correctedWorld.H"
 #include "diagnosis.H"
 #include "testNumber.H"
-#include "unknownPath.H"
+#include "designs.H"
+#include "freeCorrection.H"
+#include "words.H"
 
 #include <gtest/gtest.h>
 
@@ -52,12 +54,11 @@ settings poorSettings()
 
 finding diagnosed(correctedWorld& w, const settings& set = poorSettings())
 {
-    diagnosis d(w, set);
-    const finding f(d());
-    std::printf("%s: %s\n", f.verdict.c_str(), f.told.c_str());
-    for (const correctionFound::law& l : f.correction.laws)
+    const finding f(diagnose(w, set));
+    std::printf("%s: %s\n", verdictNames[f.verdict].c_str(), told(f).c_str());
+    for (const fittedLaw& l : f.correction.laws)
     {
-        std::printf("  %6.1f %s\n", l.lead, l.words.c_str());
+        std::printf("  %6.1f %s\n", l.lead, told(l).c_str());
     }
     return f;
 }
@@ -77,10 +78,10 @@ TEST(misfitUnknown, aPushFollowsNumbersOfTheWaterThatTheCaseHas)
     ({
         -3600, -3600*4/0.3, -3600*0.05*2/0.03, -3600*0.4
     });
-    const groupFunctions f("push", one, met);
     dimensionlessLaw law;
+    law.family = "push";
     law.functions = identity(4);
-    const mat given(f.combination(law));
+    const mat given(combinationOf(law, one, met));
     forAll(wanted, i)
     {
         EXPECT_NEAR(given(0, i)/wanted[i], 1, 1e-12) << i;
@@ -88,7 +89,7 @@ TEST(misfitUnknown, aPushFollowsNumbersOfTheWaterThatTheCaseHas)
 
     // What is not known has no laws
     met.set(one[0].name, {-2, 0.1, 0.6});
-    EXPECT_TRUE(groupFunctions("push", one, met).laws().empty());
+    EXPECT_TRUE(lawsOf("push", one, met).empty());
 }
 
 
@@ -96,7 +97,7 @@ TEST(misfitUnknown, theErrorOfTheMeshInAnotherExperimentCountsThere)
 {
     settings set(poorSettings());
     set.resolutions = wordList({"finer"});
-    List<vec> sigma;
+    std::vector<vec> sigma;
     for (const scalar share : {0.0, 0.1})
     {
         HashTable<scalar> push;
@@ -106,9 +107,9 @@ TEST(misfitUnknown, theErrorOfTheMeshInAnotherExperimentCountsThere)
         const finding f(diagnosed(w, set));
         for (const heldOut& h : f.correction.held)
         {
-            if (h.what == "experiment B")
+            if (h.experiment == "B")
             {
-                sigma.append(h.sigma);
+                sigma.push_back(h.sigma);
             }
         }
     }
@@ -126,13 +127,14 @@ TEST(misfitUnknown, aPushThatNoCandidateIsIsFoundInItsPlace)
         correctedWorld w(truth, HashTable<scalar>(), seed);
         const finding f(diagnosed(w));
 
-        EXPECT_EQ(f.verdict, "unknown");
-        ASSERT_FALSE(f.correction.parts.empty());
-        const correctionFound::part& first = f.correction.parts.first();
-        EXPECT_EQ(first.name, "push2_2");
+        EXPECT_EQ(f.verdict, verdictKind::unknown);
+        ASSERT_FALSE(f.correction.elements.empty());
+        const freeElement& first = f.correction.elements.first();
+        EXPECT_EQ(first.element.name, "push2_2");
         EXPECT_NEAR(first.value, -45, 10);
-        EXPECT_NE(first.words.find("against (1 0 0) at 1.5 m"), std::string::npos);
-        EXPECT_NE(f.told.find(first.words), std::string::npos);
+        const string words(told(first.element, first.value));
+        EXPECT_NE(words.find("against (1 0 0) at 1.5 m"), std::string::npos);
+        EXPECT_NE(told(f).find(words), std::string::npos);
 
         // On the gauge that was not used; in B there is no such push
         ASSERT_EQ(f.correction.held.size(), 2);
@@ -151,19 +153,19 @@ TEST(misfitUnknown, whereTheSolverFailsWithTheFittedPushThatOfTheSurfaceIsTold)
     correctedWorld w(truth, HashTable<scalar>(), 500);
     w.failWhereFitted();
     const finding f(diagnosed(w));
-    EXPECT_EQ(f.verdict, "unknown");
+    EXPECT_EQ(f.verdict, verdictKind::unknown);
     EXPECT_FALSE(f.correction.named);
-    ASSERT_FALSE(f.correction.parts.empty());
-    EXPECT_EQ(f.correction.parts.first().name, "push2_2");
-    EXPECT_NEAR(f.correction.parts.first().value, -45, 10);
+    ASSERT_FALSE(f.correction.elements.empty());
+    EXPECT_EQ(f.correction.elements.first().element.name, "push2_2");
+    EXPECT_NEAR(f.correction.elements.first().value, -45, 10);
 
     ASSERT_FALSE(f.correction.held.empty());
     EXPECT_GT(removed(f.correction.held[0]), 0.7);
     EXPECT_NE
     (
-        f.told.find("The solver fails with it: these numbers are of the"),
+        told(f).find("The solver fails with it: these numbers are of the"),
         std::string::npos
-    ) << f.told;
+    ) << told(f);
 }
 
 
@@ -175,15 +177,15 @@ TEST(misfitUnknown, anotherDragLawIsRegressedOnTheReynoldsNumber)
         correctedWorld w(truth, truth, seed);
         const finding f(diagnosed(w));
 
-        EXPECT_EQ(f.verdict, "named");
+        EXPECT_EQ(f.verdict, verdictKind::named);
         EXPECT_EQ(f.names, wordList({"drag:Re_p"}));
         EXPECT_TRUE(f.correction.transfers);
         ASSERT_FALSE(f.correction.laws.empty());
         EXPECT_NE
         (
-            f.correction.laws.first().words.find("(Re_p/30)^(0."),
+            told(f.correction.laws.first()).find("(Re_p/30)^(0."),
             std::string::npos
-        ) << f.correction.laws.first().words;
+        ) << told(f.correction.laws.first());
         for (const heldOut& h : f.correction.held)
         {
             testNumber("held-out misfit gone, drag law", removed(h));
@@ -199,14 +201,14 @@ TEST(misfitUnknown, aLawWithWhichTheSolverFailsIsToldAndNoOtherIsNamed)
     correctedWorld w(truth, truth, 600);
     w.failWhereFitted();
     const finding f(diagnosed(w));
-    EXPECT_EQ(f.verdict, "unknown");
+    EXPECT_EQ(f.verdict, verdictKind::unknown);
     EXPECT_FALSE(f.correction.explained);
-    EXPECT_NE(f.told.find("fails with one that may say as much"), std::string::npos)
-        << f.told;
+    EXPECT_NE(told(f).find("fails with one that may say as much"), std::string::npos)
+        << told(f);
     scalar lead = -GREAT;
-    for (const correctionFound::law& l : f.correction.laws)
+    for (const fittedLaw& l : f.correction.laws)
     {
-        EXPECT_GT(l.lead, -1e6) << l.words;
+        EXPECT_GT(l.lead, -1e6) << told(l);
         lead = max(lead, l.lead);
     }
     EXPECT_GT(lead, 0);
@@ -219,15 +221,15 @@ TEST(misfitUnknown, aPartOfALawWithWhichTheSolverFailsIsNotNamed)
     correctedWorld w(truth, truth, 600);
     w.failWhereDragVaries();
     const finding f(diagnosed(w));
-    EXPECT_EQ(f.verdict, "unknown");
-    EXPECT_NE(f.told.find("(Re_p/30)^(0."), std::string::npos) << f.told;
-    EXPECT_NE(f.told.find("fails with one that may say as much"), std::string::npos)
-        << f.told;
+    EXPECT_EQ(f.verdict, verdictKind::unknown);
+    EXPECT_NE(told(f).find("(Re_p/30)^(0."), std::string::npos) << told(f);
+    EXPECT_NE(told(f).find("fails with one that may say as much"), std::string::npos)
+        << told(f);
 
     // The part runs, and would be enough
     ASSERT_FALSE(f.correction.laws.empty());
-    const correctionFound::law& part = f.correction.laws.first();
-    EXPECT_EQ(part.words.find("Re_p"), std::string::npos) << part.words;
+    const fittedLaw& part = f.correction.laws.first();
+    EXPECT_EQ(told(part).find("Re_p"), std::string::npos) << told(part);
     EXPECT_GT(part.lead, poorSettings().gap);
 }
 
@@ -238,9 +240,9 @@ TEST(misfitUnknown, theSameLawInOneExperimentOnlyIsNotNamed)
     correctedWorld w(truth, HashTable<scalar>(), 610);
     const finding f(diagnosed(w));
 
-    EXPECT_EQ(f.verdict, "unknown");
+    EXPECT_EQ(f.verdict, verdictKind::unknown);
     EXPECT_FALSE(f.correction.transfers);
-    EXPECT_NE(f.told.find("no other experiment confirms"), std::string::npos);
+    EXPECT_NE(told(f).find("no other experiment confirms"), std::string::npos);
 }
 
 
@@ -250,45 +252,20 @@ TEST(misfitUnknown, noiseAloneLeavesTheCorrectionZero)
     for (label seed = 700; seed < 720; ++seed)
     {
         correctedWorld w({}, {}, seed);
-        const world known(20);
-        variableBounds bounds;
-        bounds.nParameters = 2;
-        bounds.mean = known.bounds.mean.head(2);
-        bounds.deviation = known.bounds.deviation.head(2);
-        bounds.lower = known.bounds.lower.head(2);
-        bounds.upper = known.bounds.upper.head(2);
-
-        List<vec> design(1, bounds.mean);
-        for (const label i : {0, 1})
-        {
-            for (const scalar side : {-0.15, 0.15})
-            {
-                design.append(bounds.mean);
-                design.last()[i] = side;
-            }
-        }
-        sampledModel fit(w.data()[0].fit, bounds, set.trigger);
-        sampledModel gate(w.data()[0].gate, bounds, set.trigger);
-        for (const vec& x : design)
-        {
-            runState s;
-            s.parameters.insert("release", x[0]);
-            s.parameters.insert("friction", x[1]);
-            const samples given(w(List<runState>(1, s)).first());
-            fit.addRun(x, given.fit);
-            gate.addRun(x, given.gate);
-        }
-        fit.build(bounds.deviation);
-        gate.build(bounds.deviation);
-
-        unknownPath path
+        study asked(w, set);
+        models m(asked);
+        addRuns(asked, m, parameterDesign(asked));
+        m.build(asked);
+        label runs = 0;
+        const correctionFound c
         (
-            w, set, bounds, bounds.deviation, fit, gate,
-            fit.weigh(set.formulaTolerance).base(), {}
+            fitCorrection
+            (
+                asked, m, m.fit->weigh(set.formulaTolerance).base(), {}, runs
+            )
         );
-        const correctionFound c(path(design));
-        EXPECT_TRUE(c.parts.empty()) << c.told;
-        EXPECT_FALSE(c.explained) << c.told;
+        EXPECT_TRUE(c.elements.empty()) << told(c);
+        EXPECT_FALSE(c.explained) << told(c);
         EXPECT_FALSE(c.after.size());
     }
 }

@@ -5,6 +5,7 @@
 #include "misfitWorld.H"
 #include "numbersAlone.H"
 #include "testNumber.H"
+#include "words.H"
 
 #include <gtest/gtest.h>
 
@@ -21,12 +22,12 @@ vec number(const scalar a)
 
 
 //- The best explanation of recorded samples
-List<weighed> explain(world& w, const responseSurface& surface, const vec& y)
+std::vector<weighed> explain(world& w, const statistics::responseSurface& surface, const vec& y)
 {
     w.data.y = y;
     covariance c(w.data, 0.005);
     c.addSpread("between the runs", surface.leftOut(), 1);
-    List<weighed> list
+    std::vector<weighed> list
     (
         weighing(w.data, surface, w.bounds, c).all
         (
@@ -35,8 +36,8 @@ List<weighed> explain(world& w, const responseSurface& surface, const vec& y)
             (
                 w.data,
                 {
-                    "lag", "gain", "zero", "drift", "clock",
-                    "clogged", "swapped", "misplaced", "units"
+                    faultKind::lag, faultKind::gain, faultKind::zero, faultKind::drift, faultKind::clock,
+                    faultKind::clogged, faultKind::swapped, faultKind::misplaced, faultKind::units
                 }
             ),
             true
@@ -66,15 +67,15 @@ TEST(misfitWeighing, aLateRecorderIsTakenForThatAndNotForItsChannels)
 {
     world w(20);
     w.data.segments[0].recorder = w.data.segments[1].recorder = "logger";
-    const responseSurface surface(w.bank(120, 2));
+    const statistics::responseSurface surface(w.bank(120, 2));
     const vec f = w(w.bounds.mean);
-    const faultList clocks
+    const std::vector<sensorFault> clocks
     (
-        possibleFaults(w.data, {"clock"})
+        possibleFaults(w.data, {faultKind::clock})
     );
-    const List<weighed> list(explain(w, surface, (*clocks[0])(f, number(0.15))));
-    ASSERT_TRUE(list.first().what.fault != nullptr);
-    EXPECT_EQ(list.first().what.fault->told(), "clock of logger");
+    const std::vector<weighed> list(explain(w, surface, clocks[0](w.data, f, number(0.15))));
+    ASSERT_TRUE(list.front().what.fault.has_value());
+    EXPECT_EQ(told(*list.front().what.fault), "clock of logger");
 }
 
 
@@ -114,19 +115,19 @@ TEST(misfitWeighing, numbersAloneNameAMechanism)
     {
         y.col(k) = truth(x.col(k));
     }
-    const responseSurface surface(x, y, bounds.mean, vec(vec::Ones(3)));
+    const statistics::responseSurface surface(x, y, bounds.mean, vec(vec::Ones(3)));
     const covariance known(data, 0);
-    const List<weighed> list
+    const std::vector<weighed> list
     (
         weighing(data, surface, bounds, known).all
         (
             {0, 1},
-            possibleFaults(data, {"gain"}),
+            possibleFaults(data, {faultKind::gain}),
             true
         )
     );
-    EXPECT_EQ(list.first().what.mechanisms, List<label>({0}));
-    EXPECT_NEAR(list.first().best.x[1], 0.8, 0.1);
+    EXPECT_EQ(list.front().what.mechanisms, std::vector<int>({0}));
+    EXPECT_NEAR(list.front().best.x[1], 0.8, 0.1);
     for (const weighed& w : list)
     {
         EXPECT_TRUE(std::isfinite(w.score));
@@ -138,13 +139,13 @@ TEST(misfitWeighing, slopesOfAFaultyModelAreDifferences)
 {
     world w(20);
     w.data.y = w(w.bounds.mean);
-    const responseSurface surface(w.bank(80, 2));
-    for (const auto& fault : possibleFaults(w.data, {"lag", "clogged", "gain"}))
+    const statistics::responseSurface surface(w.bank(80, 2));
+    for (const sensorFault& fault : possibleFaults(w.data, {faultKind::lag, faultKind::clogged, faultKind::gain}))
     {
         hypothesis h;
         h.mechanisms = {0};
         h.fault = fault;
-        const hypothesisModel model(surface, w.bounds, h);
+        const hypothesisModel model(w.data, surface, w.bounds, h);
         const vec x = model.starts()[0];
         const mat slopes = model.slopes(x);
         for (label i = 0; i < x.size(); ++i)
@@ -155,7 +156,7 @@ TEST(misfitWeighing, slopesOfAFaultyModelAreDifferences)
             (
                 ((model(beside) - model(x))/1e-6 - slopes.col(i)).norm(),
                 1e-3*(1 + slopes.col(i).norm())
-            ) << fault->told() << ' ' << i;
+            ) << told(fault) << ' ' << i;
         }
     }
 }
@@ -164,7 +165,7 @@ TEST(misfitWeighing, slopesOfAFaultyModelAreDifferences)
 TEST(misfitWeighing, aMistunedModelIsNotTakenForMissingPhysics)
 {
     world w(20);
-    const responseSurface surface(w.bank(120, 2));
+    const statistics::responseSurface surface(w.bank(120, 2));
     std::mt19937 generator(21);
     label named = 0;
     const label n = 60;
@@ -182,7 +183,7 @@ TEST(misfitWeighing, aMistunedModelIsNotTakenForMissingPhysics)
 TEST(misfitWeighing, eachMechanismIsGivenTheMostWeightAlthoughItsFormulaDiffers)
 {
     world w(20);
-    const responseSurface surface(w.bank(120, 2));
+    const statistics::responseSurface surface(w.bank(120, 2));
     std::mt19937 generator(22);
     label right = 0;
     const label n = 40;
@@ -193,7 +194,7 @@ TEST(misfitWeighing, eachMechanismIsGivenTheMostWeightAlthoughItsFormulaDiffers)
         x[world::nParameters + m] = 0.7;
         const vec y = w(x, 1) + w.noise(generator);
         const auto list(explain(w, surface, y));
-        const bool hit = list[0].what.mechanisms == List<label>({m});
+        const bool hit = list[0].what.mechanisms == std::vector<int>({m});
         right += hit;
         if (!hit)
         {
@@ -201,7 +202,7 @@ TEST(misfitWeighing, eachMechanismIsGivenTheMostWeightAlthoughItsFormulaDiffers)
             (
                 "%s taken for %s\n",
                 world::mechanism(m).c_str(),
-                list[0].what.fault ? list[0].what.fault->told().c_str()
+                list[0].what.fault ? told(*list[0].what.fault).c_str()
               : list[0].what.unknown ? "unknown"
               : list[0].what.mechanisms.size()
               ? world::mechanism(list[0].what.mechanisms[0]).c_str() : "none"
@@ -216,7 +217,7 @@ TEST(misfitWeighing, eachMechanismIsGivenTheMostWeightAlthoughItsFormulaDiffers)
 TEST(misfitWeighing, aFaultySensorIsNotTakenForPhysics)
 {
     world w(20);
-    const responseSurface surface(w.bank(120, 2));
+    const statistics::responseSurface surface(w.bank(120, 2));
     std::mt19937 generator(23);
     const std::pair<const char*, scalar> faults[] =
     {
@@ -231,12 +232,12 @@ TEST(misfitWeighing, aFaultySensorIsNotTakenForPhysics)
         for (label c = 0; c < 3; ++c)
         {
             const vec y =
-                (*possibleFaults(w.data, {f.first})[c])
-                (w(drawn(w, generator)), number(f.second))
+                possibleFaults(w.data, {statistics::faultNamed(f.first)})[c]
+                (w.data, w(drawn(w, generator)), number(f.second))
               + w.noise(generator);
             const auto list(explain(w, surface, y));
             const auto& best = list[0].what;
-            right += best.fault && best.fault->channel() == w.data.segments[c].name;
+            right += best.fault && best.fault->channel == w.data.segments[c].name;
             physics += best.mechanisms.size() > 0;
             ++n;
         }
@@ -250,7 +251,7 @@ TEST(misfitWeighing, aFaultySensorIsNotTakenForPhysics)
 TEST(misfitWeighing, whatIsNotInTheLibraryIsUnknown)
 {
     world w(20);
-    const responseSurface surface(w.bank(120, 2));
+    const statistics::responseSurface surface(w.bank(120, 2));
     std::mt19937 generator(24);
     label unknown = 0;
     const label n = 10;
@@ -259,7 +260,7 @@ TEST(misfitWeighing, whatIsNotInTheLibraryIsUnknown)
         vec y = w(drawn(w, generator)) + w.noise(generator);
 
         // A wave that comes back from the end and passes all gauges in turn
-        forAll(w.data.segments, i)
+        for (label i = 0; i < count(w.data.segments); ++i)
         {
             const segment& s = w.data.segments[i];
             const scalar size = s.quantity == "pressure" ? 150 : 0.015;

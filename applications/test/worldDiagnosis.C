@@ -19,9 +19,9 @@ Foam::misfit::settings Foam::misfit::worldSettings()
     }
     s.faults =
     {
-        "lag", "gain", "zero", "drift", "clock",
-        "clogged", "swapped", "misplaced", "units",
-        "dead", "saturated"
+        faultKind::lag, faultKind::gain, faultKind::zero, faultKind::drift, faultKind::clock,
+        faultKind::clogged, faultKind::swapped, faultKind::misplaced, faultKind::units,
+        faultKind::dead, faultKind::saturated
     };
     s.trigger = 0.005;
     s.draws = 500;
@@ -45,21 +45,21 @@ Foam::misfit::vec Foam::misfit::truth(const label mechanism, const scalar streng
 Foam::misfit::finding
 Foam::misfit::diagnose(worldSampler& s, const settings& set)
 {
-    diagnosis d(s, set);
-    return d();
+    return diagnose(static_cast<sampler&>(s), set);
 }
 
 
 void Foam::misfit::show(const finding& f)
 {
-    std::printf("%s: %s\n", f.verdict.c_str(), f.told.c_str());
+    std::printf("%s: %s\n", verdictNames[f.verdict].c_str(), told(f).c_str());
     for (const gate& g : f.gates)
     {
+        const gateWords words(told(g, f));
         std::printf
         (
-            "  %-10s %-7s %s (%s)\n", g.name.c_str(),
+            "  %-10s %-7s %s (%s)\n", gateNames[g.kind].c_str(),
             g.applies ? g.passed ? "passed" : "failed" : "-",
-            g.value.c_str(), g.bound.c_str()
+            words.value.c_str(), words.bound.c_str()
         );
     }
 }
@@ -69,7 +69,7 @@ bool Foam::misfit::passes(const finding& f, const word& name)
 {
     for (const gate& g : f.gates)
     {
-        if (g.name == name && g.applies && !g.passed)
+        if (gateNames[g.kind] == name && g.applies && !g.passed)
         {
             return false;
         }
@@ -86,8 +86,8 @@ void Foam::misfit::expectAnswer
 )
 {
     show(f);
-    EXPECT_EQ(f.verdict, verdict);
-    wordList found(f.names);
+    EXPECT_EQ(verdictNames[f.verdict], verdict);
+    wordList found(answerOf(f));
     std::sort(found.begin(), found.end());
     std::sort(names.begin(), names.end());
     EXPECT_EQ(found, names);

@@ -6,7 +6,7 @@
 Foam::misfit::stacked Foam::misfit::worldSampler::gate() const
 {
     stacked s;
-    s.segments = List<segment>({world_.data.segments[2]});
+    s.segments = std::vector<segment>({world_.data.segments[2]});
     s.segments[0].first = 0;
     s.y = world_.data.segments[2].of(world_.data.y);
     return s;
@@ -107,7 +107,7 @@ Foam::misfit::samples Foam::misfit::worldSampler::run(const runState& state)
        *simulated(variables(state), state.experiment);
     if (state.experiment == "A")
     {
-        List<label> keep;
+        std::vector<int> keep;
         world_.data.without(2, keep);
         s.fit = rows(f, keep);
         if (data_[0].gate.size())
@@ -144,7 +144,7 @@ Foam::misfit::worldSampler::worldSampler
         {
             world_.data.y += added;
         }
-        List<label> keep;
+        std::vector<int> keep;
         observed o;
         o.experiment = e;
         o.use = e == "A" ? purpose::fit : purpose::gate;

@@ -4,6 +4,7 @@
 #include "calibration.H"
 #include "csvTable.H"
 #include "keywords.H"
+#include "statisticsNames.H"
 
 #include "argList.H"
 #include "scalarField.H"
@@ -17,6 +18,11 @@ namespace Foam
 {
 namespace misfit
 {
+
+using statistics::calibration;
+using statistics::calibrationTarget;
+using statistics::freeParameter;
+using statistics::responseSurface;
 
 freeParameter readParameter(const word& name, const dictionary& dict)
 {
@@ -33,7 +39,7 @@ freeParameter readParameter(const word& name, const dictionary& dict)
     scalarField range(dict.lookupOrDefault("levels", scalarList()));
     for (const scalar level : range)
     {
-        p.levels.append(p.scaled(level));
+        p.levels.push_back(p.scaled(level));
     }
     if (range.empty())
     {
@@ -84,7 +90,7 @@ public:
 
     std::shared_ptr<const responseSurface> surface;
 
-    List<calibrationTarget> targets;
+    std::vector<calibrationTarget> targets;
 
     //- Conditions to predict for, a column for each
     mat others;
@@ -94,7 +100,7 @@ public:
     (
         const word& name_,
         const dictionary& dict,
-        const List<freeParameter>& parameters
+        const std::vector<freeParameter>& parameters
     )
     :
         name(name_),
@@ -126,7 +132,7 @@ public:
     void makeSurface
     (
         const csvTable& runs,
-        const List<freeParameter>& parameters,
+        const std::vector<freeParameter>& parameters,
         const dictionary& dict
     )
     {
@@ -147,7 +153,7 @@ public:
 
         vec centre(names.size());
         vec width(names.size());
-        forAll(parameters, i)
+        for (label i = 0; i < count(parameters); ++i)
         {
             const freeParameter& p = parameters[i];
             const label k = conditions.size() + i;
@@ -183,7 +189,7 @@ public:
             t.conditions = under.col(i);
             t.wanted = wanted.col(i);
             t.deviation = t.wanted.cwiseAbs().cwiseProduct(share);
-            targets.append(t);
+            targets.push_back(t);
         }
     }
 
@@ -269,20 +275,21 @@ int main(int argc, char* argv[])
     const dictionary dict(is);
     keywords::check(dict, {"FoamFile", "parameters", "experiments"});
 
-    DynamicList<freeParameter> parameters;
+    std::vector<freeParameter> parameters;
     const dictionary& free = dict.subDict("parameters");
     for (const word& name : free.toc())
     {
-        parameters.append(readParameter(name, free.subDict(name)));
+        parameters.push_back(readParameter(name, free.subDict(name)));
     }
 
     std::vector<experiment> experiments;
-    DynamicList<calibrationTarget> targets;
+    std::vector<calibrationTarget> targets;
     const dictionary& kinds = dict.subDict("experiments");
     for (const word& name : kinds.toc())
     {
         experiments.emplace_back(name, kinds.subDict(name), parameters);
-        targets.append(experiments.back().targets);
+        const auto& its = experiments.back().targets;
+        targets.insert(targets.end(), its.begin(), its.end());
         Info<< name << ": " << experiments.back().nRuns << " runs, surface of "
             << experiments.back().surface->nTerms() << " terms" << endl;
     }
@@ -296,7 +303,7 @@ int main(int argc, char* argv[])
 
     OFstream os(file.lessExt() + ".csv");
     os  << "what,name,conditions,quantity,wanted,value,error" << nl;
-    forAll(parameters, i)
+    for (label i = 0; i < count(parameters); ++i)
     {
         const freeParameter& p = parameters[i];
         const bool atBound =
@@ -305,9 +312,9 @@ int main(int argc, char* argv[])
         const char* how =
             p.levels.size() ? "level" : atBound ? "at a bound" : "free";
 
-        os  << "parameter," << p.name << ",," << how << ",," << p.value(chosen[i]) << ','
+        os  << "parameter," << p.name.c_str() << ",," << how << ",," << p.value(chosen[i]) << ','
             << deviations[i] << (p.logarithmic ? " decades" : "") << nl;
-        Info<< "    " << p.name << ' ' << p.value(chosen[i]) << " (" << how << ')' << nl;
+        Info<< "    " << p.name.c_str() << ' ' << p.value(chosen[i]) << " (" << how << ')' << nl;
     }
     for (const experiment& e : experiments)
     {

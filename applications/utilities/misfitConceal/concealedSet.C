@@ -68,11 +68,11 @@ List<runState> bankStates
 )
 {
     nothingRecorded none;
-    const auto stages(diagnosis(none, set).plan());
+    const List<plannedStage> stages(plan(none, set));
     List<runState> states;
     for (const word& e : experiments)
     {
-        for (runState s : stages[1].second())
+        for (runState s : stages[1].states)
         {
             if (s.packing == 0)
             {
@@ -84,7 +84,7 @@ List<runState> bankStates
     }
     for (const word& e : deciding)
     {
-        for (runState s : stages[0].second())
+        for (runState s : stages[0].states)
         {
             if (s.resolution != "base" || (s.packing && !packing))
             {

@@ -6,6 +6,7 @@
 #include "gaussianProcess.H"
 #include "report.H"
 #include "textFile.H"
+#include "words.H"
 
 #include "IFstream.H"
 #include "OSspecific.H"
@@ -28,7 +29,7 @@ json rival(const finding& f, const scalar trigger)
     {
         return all;
     }
-    const gaussianProcess learnt
+    const statistics::gaussianProcess learnt
     (
         f.data,
         f.data.y - f.before,
@@ -53,9 +54,9 @@ json rival(const finding& f, const scalar trigger)
 //- The first of the explanations as a state, with or without its mechanisms
 runState stateOf(const finding& f, const settings& set, const bool with)
 {
-    const weighed& best = f.explanations.first();
+    const weighed& best = f.best();
     wordList names;
-    for (const label m : best.what.mechanisms)
+    for (const int m : best.what.mechanisms)
     {
         names.append(set.candidates[m].name);
     }
@@ -67,7 +68,7 @@ runState stateOf(const finding& f, const settings& set, const bool with)
 json effect(const finding& f, const settings& set, sampler& ask)
 {
     json list = json::array();
-    if (f.verdict == "named")
+    if (f.verdict == verdictKind::named)
     {
         const List<samples> two
         (
@@ -101,8 +102,7 @@ void Foam::misfit::diagnoseCases(concealedSide& library, const fileName& folder)
         }
         const recordings recorded(withFiles(library.dict(), c), c);
         predictedSampler ask(recorded, library, library.bank("A"));
-        diagnosis diagnose(ask, set);
-        const finding found(diagnose());
+        const finding found(diagnose(ask, set));
         const json proof =
         {
             {"gaussianProcess", rival(found, set.trigger)},
@@ -110,6 +110,7 @@ void Foam::misfit::diagnoseCases(concealedSide& library, const fileName& folder)
         };
         writeWhole(c/"proof.json", proof.dump(1) + '\n');
         writeWhole(c/"verdict.json", verdictJson(found, c.name()));
-        Info<< "    " << found.verdict << ": " << found.told.c_str() << endl;
+        Info<< "    " << verdictNames[found.verdict] << ": "
+            << told(found).c_str() << endl;
     }
 }

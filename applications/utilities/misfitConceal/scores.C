@@ -202,7 +202,7 @@ void Foam::misfit::scores::addPhysics(const openedCase& c)
     }
     if (strong && c.overlap() >= 0)
     {
-        const segment& s = c.data->segments.first();
+        const segment& s = c.data->segments.front();
         places_.values.append(c.overlap());
         onset_.values.append(100*c.onset()/(s.duration() + s.span));
     }

@@ -16,7 +16,7 @@ Foam::misfit::sight::sight
 {
     const settings set(readSettings(library.dict()));
     beyond_ = set.beyond;
-    visible_ = diagnosis(*ask_, set).visible();
+    visible_ = visible(*ask_, set);
 }
 
 
@@ -65,6 +65,6 @@ Foam::misfit::sight::operator()(const vec& effect) const
 
     // The parameters take up what they can within their priors
     const vec left = visible_.all*visible_.calibrated.ldlt().solve(effect);
-    seen.places = stretches(data(), left, visible_.all, beyond_);
+    seen.places = statistics::stretches(data(), left, visible_.all, beyond_);
     return seen;
 }

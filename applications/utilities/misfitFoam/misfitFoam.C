@@ -4,6 +4,7 @@
 #include "diagnosis.H"
 #include "report.H"
 #include "solverPredictor.H"
+#include "words.H"
 
 #include "argList.H"
 #include "IOdictionary.H"
@@ -21,29 +22,29 @@ namespace misfit
 //- List the runs and what they will cost
 void tellPlan
 (
-    const diagnosis& d,
+    sampler& ask,
     solverPredictor& solver,
     const settings& set
 )
 {
     label n = 0;
-    for (const auto& stage : d.plan())
+    for (const plannedStage& stage : plan(ask, set))
     {
-        solver.tell(stage.first(), stage.second());
-        n += stage.second().size();
+        solver.tell(stage.name, stage.states);
+        n += stage.states.size();
     }
     const label refits = (set.refit + 3)*set.common;
-    Info<< "S6 refit: " << refits << " to " << refits*set.passes
-        << " runs at states that S5 will find" << nl
-        << "S7 gates: " << 2*set.common
+    Info<< "Refit of the best explanations: " << refits << " to " << refits*set.passes
+        << " runs at states that the sensitivities will show" << nl
+        << "Gates: " << 2*set.common
         << " runs of each experiment that is scored, up to "
         << (2 + set.parameters.size())*set.common + set.packings
          + set.resolutions.size()
         << " of each that gates" << nl;
     if (set.correction.size())
     {
-        Info<< "S8 refit: at most " << 4*set.passes*set.common
-            << " runs, and 2 of each held-out experiment; none where S7 has"
+        Info<< "Free correction: at most " << 4*set.passes*set.common
+            << " runs, and 2 of each held-out experiment; none where there is"
             << " an answer" << nl;
     }
     Info<< nl
@@ -54,11 +55,11 @@ void tellPlan
 
 void tellFinding(const finding& f, const fileName& folder)
 {
-    Info<< nl << "Verdict: " << f.verdict << nl << f.told.c_str() << nl
+    Info<< nl << "Verdict: " << verdictNames[f.verdict] << nl << told(f).c_str() << nl
         << "Confidence " << f.confidence << nl;
-    for (const string& place : f.located)
+    for (const place& p : f.located)
     {
-        Info<< "    " << place.c_str() << nl;
+        Info<< "    " << told(p, f.data).c_str() << nl;
     }
     if (f.answer.size())
     {
@@ -138,15 +139,13 @@ int main(int argc, char* argv[])
 
     solverPredictor solver(recorded, runTime.path(), dict);
     predictedSampler sampler(recorded, solver);
-    diagnosis diagnose(sampler, set);
-
     if (args.found("dry-run"))
     {
-        tellPlan(diagnose, solver, set);
+        tellPlan(sampler, solver, set);
         return 0;
     }
 
-    const finding& found = diagnose();
+    const finding found(diagnose(sampler, set));
     const fileName above(runTime.path().path());
     writeReport
     (

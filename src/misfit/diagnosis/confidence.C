@@ -1,50 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// S9: how sure the verdict is.
+// How sure the verdict is.
 
-#include "diagnosis.H"
+#include "gates.H"
+#include "verdict.H"
 
 #include <algorithm>
 
-void Foam::misfit::diagnosis::setPosterior()
+namespace
 {
-    for (const weighed& w : found_.explanations)
-    {
-        found_.posterior.append
-        (
-            Tuple2<string, scalar>
-            (
-                told(w.what, mechanismNames()), w.probability
-            )
-        );
-    }
-    std::stable_sort
-    (
-        found_.posterior.begin(),
-        found_.posterior.end(),
-        [](const auto& a, const auto& b) { return a.second() > b.second(); }
-    );
-}
 
+using namespace Foam;
+using namespace Foam::misfit;
 
-bool Foam::misfit::diagnosis::hasAllThatIsNamed(const weighed& w) const
-{
-    label n = 0;
-    for (const label m : w.what.mechanisms)
-    {
-        n += found_.names.found(mechanismNames()[m]);
-    }
-    return n && n == found_.names.size();
-}
-
-
-bool Foam::misfit::diagnosis::hasOneOfSet(const weighed& w) const
+//- True if it is one of the set, or has all mechanisms of one
+bool hasOneOfSet(const finding& f, const weighed& w)
 {
     return
-        isAmong(set_, w)
+        isAmong(f.alternatives, w)
      || std::any_of
         (
-            set_.begin(),
-            set_.end(),
+            f.alternatives.begin(),
+            f.alternatives.end(),
             [&](const weighed& one)
             {
                 return
@@ -55,59 +31,78 @@ bool Foam::misfit::diagnosis::hasOneOfSet(const weighed& w) const
 }
 
 
-void Foam::misfit::diagnosis::confide()
+//- True if an explanation says what the verdict says
+bool agrees(const finding& f, const weighed& w)
+{
+    switch (f.verdict)
+    {
+        case verdictKind::none:
+            return w.what.isNone();
+        case verdictKind::sensor:
+        case verdictKind::registration:
+            return w.what.fault && w.what.fault->channel == f.names[0];
+        case verdictKind::unknown:
+            return w.what.isOnlyUnknown();
+        case verdictKind::set:
+            return hasOneOfSet(f, w);
+        default:
+            return f.hasAllThatIsNamed(w.what);
+    }
+}
+
+} // End anonymous namespace
+
+
+void Foam::misfit::setConfidence(const settings& set, finding& f)
 {
     scalar sum = 0;
-    for (const weighed& w : found_.explanations)
+    bool physics = false;
+    for (const weighed& w : f.explained.all())
     {
-        const word& v = found_.verdict;
-        const bool counts =
-            v == "none" ? w.what.isNone()
-          : found_.blamesChannel()
-          ? w.what.fault && w.what.fault->channel() == found_.names[0]
-          : v == "unknown" ? w.what.isOnlyUnknown()
-          : v == "set" ? hasOneOfSet(w)
-          : hasAllThatIsNamed(w);
-        sum += counts ? w.probability : 0;
+        sum += agrees(f, w) ? w.probability : 0;
+    }
+    for (const weighed& w : f.rivals)
+    {
+        physics = physics || w.what.mechanisms.size();
     }
 
     // 88 of 105 such verdicts were right where the solver made the recordings, the
     // others hid effects that chance could have made (validation/concealed)
-    if (found_.verdict == "none" && !passed("detection"))
+    if
+    (
+        f.verdict == verdictKind::none
+     && !f.gates.passed(gateKind::detection)
+    )
     {
         sum = max(sum, 0.82);
     }
 
     // 15 of 17 such names were right there, and 88 of 88 of the others
-    if (found_.verdict == "named" && hasMore())
+    if (f.verdict == verdictKind::named && f.hasMore())
     {
         sum = min(sum, 0.88);
     }
 
     // Of six such sets there one held the cause
-    bool physics = false;
-    for (const weighed& w : rivals())
-    {
-        physics = physics || w.what.mechanisms.size();
-    }
-    if (found_.verdict == "set" && physics && !isConfirmed())
+    const bool ofPhysics = f.verdict == verdictKind::set && physics;
+    if (ofPhysics && !isConfirmed(f.held))
     {
         sum = min(sum, 0.25);
     }
 
     // Of 13 that hang on a channel ten: three of six there, seven of seven from the
     // bank
-    if (found_.verdict == "set" && physics && !passed("stability"))
+    if (ofPhysics && !f.gates.passed(gateKind::stability))
     {
         sum = min(sum, 0.77);
     }
 
     // 37 of 44 such verdicts were right where the solver made the recordings,
     // 30 of 61 from the bank (validation/concealed). Not where runs are missing.
-    const bool asked = never_.empty() && found_.failedRuns.empty();
-    if (found_.verdict == "unknown" && asked && !isUnproved())
+    const bool asked = f.failing.empty() && f.failedRuns.empty();
+    if (f.verdict == verdictKind::unknown && asked && !f.isUnproved())
     {
         sum = max(sum, 0.7);
     }
-    found_.confidence = min(sum, settings_.ceiling);
+    f.confidence = min(sum, set.ceiling);
 }

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The runs that the response surface is fitted to.
 
-#include "diagnosis.H"
+#include "designs.H"
 
 #include <algorithm>
 #include <random>
 
-Foam::List<Foam::misfit::vec>
-Foam::misfit::diagnosis::parameterDesign() const
+std::vector<Foam::misfit::vec>
+Foam::misfit::parameterDesign(const study& s)
 {
-    List<vec> design(1, bounds_.mean);
-    for (label i = 0; i < bounds_.nParameters; ++i)
+    std::vector<vec> design(1, s.bounds().mean);
+    for (label i = 0; i < s.bounds().nParameters; ++i)
     {
         for (const scalar side : {-1., 1.})
         {
-            vec x = bounds_.mean;
-            x[i] += 1.5*side*bounds_.deviation[i];
-            x[i] = min(max(x[i], bounds_.lower[i]), bounds_.upper[i]);
-            if (x[i] != bounds_.mean[i])
+            vec x = s.bounds().mean;
+            x[i] += 1.5*side*s.bounds().deviation[i];
+            x[i] = min(max(x[i], s.bounds().lower[i]), s.bounds().upper[i]);
+            if (x[i] != s.bounds().mean[i])
             {
-                design.append(x);
+                design.push_back(x);
             }
         }
     }
@@ -27,32 +27,33 @@ Foam::misfit::diagnosis::parameterDesign() const
 }
 
 
-Foam::List<Foam::misfit::vec> Foam::misfit::diagnosis::signatureDesign
+std::vector<Foam::misfit::vec> Foam::misfit::sensitivityDesign
 (
+    const study& s,
     const vec& at,
-    const labelList& mechanisms
-) const
+    const std::vector<int>& mechanisms
+)
 {
-    List<vec> design;
-    for (const label m : mechanisms)
+    std::vector<vec> design;
+    for (const int m : mechanisms)
     {
-        for (const scalar s :
-            {settings_.candidates[m].weak, settings_.candidates[m].strong})
+        const candidate& c = s.set().candidates[m];
+        for (const scalar strength : {c.weak, c.strong})
         {
-            design.append(at);
-            design.last()[bounds_.nParameters + m] = s;
+            design.push_back(at);
+            design.back()[s.bounds().nParameters + m] = strength;
         }
     }
     return design;
 }
 
 
-Foam::List<Foam::misfit::vec> Foam::misfit::diagnosis::bankDesign() const
+std::vector<Foam::misfit::vec> Foam::misfit::bankDesign(const study& s)
 {
-    std::mt19937 generator(settings_.seed);
+    std::mt19937 generator(s.set().seed);
     std::uniform_real_distribution<scalar> any;
-    const label nP = bounds_.nParameters;
-    const label nC = settings_.candidates.size();
+    const label nP = s.bounds().nParameters;
+    const label nC = s.set().candidates.size();
 
     // Each candidate as often as the others: drawn at random, one of six was in
     // none of 26 runs
@@ -68,21 +69,21 @@ Foam::List<Foam::misfit::vec> Foam::misfit::diagnosis::bankDesign() const
         return order[next++];
     };
 
-    List<vec> design(1, bounds_.mean);
-    while (design.size() < settings_.bank)
+    std::vector<vec> design(1, s.bounds().mean);
+    while (count(design) < s.set().bank)
     {
-        vec x = bounds_.mean;
+        vec x = s.bounds().mean;
         for (label i = 0; i < nP; ++i)
         {
-            x[i] += (4*any(generator) - 2)*bounds_.deviation[i];
-            x[i] = min(max(x[i], bounds_.lower[i]), bounds_.upper[i]);
+            x[i] += (4*any(generator) - 2)*s.bounds().deviation[i];
+            x[i] = min(max(x[i], s.bounds().lower[i]), s.bounds().upper[i]);
         }
-        for (label k = 0; nC && k < design.size() % 3; ++k)
+        for (label k = 0; nC && k < count(design) % 3; ++k)
         {
             const label c = take();
-            x[nP + c] = any(generator)*bounds_.upper[nP + c];
+            x[nP + c] = any(generator)*s.bounds().upper[nP + c];
         }
-        design.append(x);
+        design.push_back(x);
     }
     return design;
 }

@@ -119,7 +119,7 @@ Foam::misfit::emulatedPredictor::build(const word& experiment) const
     {
         width[parameters_.size() + i] = candidates_[i].strong;
     }
-    e->surface.reset(new responseSurface(x, y, centre, width));
+    e->surface.reset(new statistics::responseSurface(x, y, centre, width));
     return e;
 }
 

@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// S7: what an answer must pass.
+// What an answer must pass: each gate.
 
-#include "diagnosis.H"
-#include "StringStream.H"
+#include "gates.H"
+#include "detect.H"
+#include "harm.H"
 
 namespace
 {
 
 using namespace Foam;
 using namespace Foam::misfit;
-
-string number(const scalar value)
-{
-    OStringStream os;
-    os.precision(3);
-    os << value;
-    return os.str();
-}
-
 
 //- The score that an explanation gains over the base, where that was recorded
 scalar gain(const sampledModel& m, const hypothesis& h, const scalar tolerance)
@@ -52,139 +44,131 @@ scalar likeness(const vec& a, const vec& b)
 }
 
 
-} // End anonymous namespace
-
-
-bool Foam::misfit::diagnosis::passed(const word& name) const
+gate of(const gateKind kind, const scalar value, const scalar limit)
 {
-    // Each held-out experiment has a gate of the same name
-    for (const gate& g : found_.gates)
-    {
-        if (g.name == name && g.applies && !g.passed)
-        {
-            return false;
-        }
-    }
-    return true;
+    gate g;
+    g.kind = kind;
+    g.value = value;
+    g.limit = limit;
+    return g;
 }
 
 
-Foam::misfit::gate Foam::misfit::diagnosis::detectionGate() const
+gate atLeast(const gateKind kind, const scalar value, const scalar limit)
+{
+    gate g(of(kind, value, limit));
+    g.passed = value >= limit;
+    return g;
+}
+
+
+gate below(const gateKind kind, const scalar value, const scalar limit)
+{
+    gate g(of(kind, value, limit));
+    g.passed = value < limit;
+    return g;
+}
+
+
+//- The answer may be that nothing, or one sensor, is to blame
+bool blamesOneSensor(const hypothesis& h)
+{
+    return h.fault && !h.fault->isRegistration();
+}
+
+
+gate computedGate(const explanations& e)
+{
+    const hypothesis& what = e.best().what;
+    gate g(of(gateKind::computed, 0, 0));
+    g.applies = !what.isOnlyUnknown() && !what.isNone();
+    g.passed = e.find(what);
+    return g;
+}
+
+
+gate failedGate(const failedExperiment& failed)
+{
+    gate g(of(gateKind::computed, 0, 0));
+    g.passed = false;
+    g.experiment = failed.name;
+    g.failure = failed.why;
+    return g;
+}
+
+
+//- Both say the same: one that has more on than the other, or less, says nothing else
+bool saySame(const hypothesis& best, const hypothesis& h)
 {
     return
-    {
-        "detection",
-        "Chance of such a misfit if only the calibration were off",
-        number(found_.detection.p),
-        "below " + number(settings_.significance),
-        true,
-        found_.detection.p < settings_.significance
-    };
+        best.fault ? h.fault && h.fault->channel == best.fault->channel
+      : best.isOnlyUnknown() ? h.isOnlyUnknown()
+      : h.mechanisms.size() && (h.contains(best) || best.contains(h));
 }
 
 
-Foam::misfit::gate Foam::misfit::diagnosis::evidenceGate() const
+gate gapGate(const explanations& e, const settings& set)
 {
-    const scalar gained = baseline().score - best().score;
-    return
-    {
-        "evidence",
-        "Score that the best explanation gains over none",
-        number(gained),
-        "at least " + number(settings_.evidence),
-        true,
-        gained >= settings_.evidence
-    };
-}
-
-
-Foam::misfit::gate Foam::misfit::diagnosis::computedGate() const
-{
-    const bool computed = findComputed(best());
-    return
-    {
-        "computed",
-        "The best explanation was run in the solver as it was fitted",
-        computed ? "yes" : "no: the solver failed",
-        "yes",
-        !best().what.isOnlyUnknown() && !best().what.isNone(),
-        computed
-    };
-}
-
-
-Foam::misfit::gate Foam::misfit::diagnosis::gapGate() const
-{
-    // One that has more on than the best, or less, says nothing else: the best of
-    // them leads
-    scalar own = best().score;
+    // The best of those that say the same leads
+    scalar own = e.best().score;
     scalar others = GREAT;
-    string next("-");
-    for (const weighed& w : found_.explanations)
+    std::optional<hypothesis> next;
+    for (const weighed& w : e.all())
     {
-        const bool same =
-            best().what.fault
-          ? w.what.fault && w.what.fault->channel() == best().what.fault->channel()
-          : best().what.isOnlyUnknown() ? w.what.isOnlyUnknown()
-          : w.what.mechanisms.size()
-         && (w.what.contains(best().what) || best().what.contains(w.what));
-        if (same)
+        if (saySame(e.best().what, w.what))
         {
             own = min(own, w.score);
         }
         else if (w.score < others)
         {
             others = w.score;
-            next = told(w.what, mechanismNames());
+            next = w.what;
         }
     }
-    const scalar lead = others - own;
-    return
-    {
-        "gap",
-        "Lead in score of the best that says the same over the next explanation that"
-        " says something else (" + next + ")",
-        number(lead),
-        "at least " + number(settings_.gap),
-        true,
-        lead >= settings_.gap
-    };
+    gate g(atLeast(gateKind::gap, others - own, set.gap));
+    g.next = next;
+    return g;
 }
 
 
-Foam::misfit::gate
-Foam::misfit::diagnosis::adequacyGate(const scalar alone)
+//- True if something unknown beside the mechanisms of the best gains two thirds of
+//  the score and more
+bool isMostlyUnknown(const explanations& e, const scalar alone)
 {
-    const scanned left(look(*fit_, best()));
+    const hypothesis& what = e.best().what;
     return
-    {
-        "adequacy",
-        "Chance of what the best explanation leaves",
-        number(left.p),
-        "at least " + number(settings_.adequacy),
-        !best().what.unknown || isMostlyUnknown(alone),
-        left.p >= settings_.adequacy
-    };
+        what.unknown && what.mechanisms.size()
+     && alone < (e.baseline().score - e.best().score)/3;
 }
 
 
-Foam::scalar Foam::misfit::diagnosis::limitOfNothing(const heldOut& h) const
+gate adequacyGate
+(
+    const study& s,
+    const models& m,
+    const explanations& e,
+    const scalar alone
+)
 {
-    return chanceOfSquare(h.data.size(), settings_.adequacy);
+    gate g
+    (
+        atLeast
+        (
+            gateKind::adequacy, look(s, *m.fit, e.best()).p, s.set().adequacy
+        )
+    );
+    g.applies = !e.best().what.unknown || isMostlyUnknown(e, alone);
+    return g;
 }
 
 
-Foam::scalar Foam::misfit::diagnosis::heldOutLimit(const heldOut& h) const
+//- The mean square that the best explanation may leave there
+scalar heldOutLimit(const hypothesis& what, const heldOut& h)
 {
     // One sensor leaves the others as they are
-    const hypothesis& what = best().what;
-    if
-    (
-        what.isNone()
-     || (what.fault && !what.fault->isRegistration())
-    )
+    if (what.isNone() || blamesOneSensor(what))
     {
-        return limitOfNothing(h);
+        return h.limitOfNothing;
     }
 
     // 1 is what uncertainty alone leaves. Of the rest a third must go, as another
@@ -195,64 +179,72 @@ Foam::scalar Foam::misfit::diagnosis::heldOutLimit(const heldOut& h) const
 }
 
 
-Foam::misfit::gate Foam::misfit::diagnosis::heldOutGate
-(
-    const word& name,
-    const heldOut& h
-) const
+gate heldOutGate(const hypothesis& what, const heldOut& h, const label number)
 {
-    const scalar limit = heldOutLimit(h);
-    const bool holds = h.squareAfter < limit;
+    gate g
+    (
+        below
+        (
+            h.isHere() ? gateKind::heldOut : gateKind::transfer,
+            h.squareAfter,
+            heldOutLimit(what, h)
+        )
+    );
+    g.held = number;
 
     // Where nothing was wrong before, what stays so confirms nothing
-    const bool nothingToAsk = h.squareBefore < matchLimit(h) && holds;
-    return
-    {
-        name,
-        "Mean square of the misfit at " + h.what + " (was "
-      + number(h.squareBefore) + "), which was not used to find it",
-        number(h.squareAfter),
-        "below " + number(limit),
-        best().what.isNone()
-     || (!best().what.isOnlyUnknown() && !nothingToAsk),
-        holds
-    };
+    const bool nothingToAsk = h.squareBefore < matchLimit(h) && g.passed;
+    g.applies = what.isNone() || (!what.isOnlyUnknown() && !nothingToAsk);
+    return g;
 }
 
 
-Foam::misfit::gate
-Foam::misfit::diagnosis::harmGate(const heldOut& h) const
+//- Only where the best makes held-out channels worse
+gate harmGate
+(
+    const study& s,
+    const models& m,
+    const weighed& best,
+    const heldOut& h,
+    const label number
+)
 {
     const bool worse =
-        best().what.mechanisms.size() && h.squareAfter > h.squareBefore;
-    const scalar chance = worse ? chanceOfHarm(h) : 1;
-    return
-    {
-        "harm",
-        "Chance that " + h.what + " are matched so much worse (mean square "
-      + number(h.squareBefore) + " before, " + number(h.squareAfter)
-      + " after) if the best explanation is right",
-        number(chance),
-        "at least " + number(settings_.significance),
-        worse,
-        chance >= settings_.significance
-    };
+        best.what.mechanisms.size() && h.squareAfter > h.squareBefore;
+    gate g
+    (
+        atLeast
+        (
+            gateKind::harm,
+            worse
+          ? chanceOfHarm(m, best, h, s.set().formulaTolerance) : 1,
+            s.set().significance
+        )
+    );
+    g.applies = worse;
+    g.held = number;
+    return g;
 }
 
 
-Foam::misfit::weighed
-Foam::misfit::diagnosis::winnerWithout(const label segment) const
+//- What wins without a channel
+weighed winnerWithout
+(
+    const study& s,
+    const models& m,
+    const weighed& best,
+    const std::vector<int>& mechanisms,
+    const label channel
+)
 {
-    const auto rest(fit_->without(segment, width_));
-    const wordList names(mechanismNames());
-    const string here(told(best().what, names));
-    const List<weighed> all
+    const auto rest(m.fit->without(channel, s.width()));
+    const std::vector<weighed> all
     (
-        rest->weigh(settings_.formulaTolerance).all
+        rest->weigh(s.set().formulaTolerance).all
         (
-            mechanisms_,
-            possibleFaults(rest->data(), settings_.faults),
-            best().what.mechanisms.size() > 1
+            mechanisms,
+            possibleFaults(rest->data(), s.set().faults),
+            best.what.mechanisms.size() > 1
         )
     );
     scalar own = GREAT;
@@ -260,8 +252,8 @@ Foam::misfit::diagnosis::winnerWithout(const label segment) const
     {
         // Something unknown is weighed beside the best few only. It does not speak
         // for what it is beside: it may match what that does not
-        const bool same = !w.what.fault && w.what.hasMechanismsOf(best().what);
-        if (told(w.what, names) == here || (same && own == GREAT))
+        const bool same = !w.what.fault && w.what.hasMechanismsOf(best.what);
+        if (w.what == best.what || (same && own == GREAT))
         {
             own = w.score;
         }
@@ -271,80 +263,133 @@ Foam::misfit::diagnosis::winnerWithout(const label segment) const
         const bool other =
             w.what.fault ? true
           : w.what.mechanisms.size()
-         && !w.what.contains(best().what) && !best().what.contains(w.what);
-        if (other && told(w.what, names) != here && w.score < own - settings_.gap)
+         && !w.what.contains(best.what) && !best.what.contains(w.what);
+        if (other && !(w.what == best.what) && w.score < own - s.set().gap)
         {
             return w;
         }
     }
-    return best();
+    return best;
 }
 
 
-Foam::misfit::gate Foam::misfit::diagnosis::stabilityGate()
+gate stabilityGate
+(
+    const study& s,
+    const models& m,
+    const weighed& best,
+    const std::vector<int>& mechanisms,
+    std::vector<winner>& winners
+)
 {
-    const List<segment>& channels = fit_->data().segments;
-    const bool applies =
-        channels.size() > 1 && best().what.mechanisms.size();
-    const label asked = applies ? channels.size() : 0;
-    string lost;
+    const std::vector<segment>& channels = m.fit->data().segments;
+    const bool applies = channels.size() > 1 && best.what.mechanisms.size();
+    const label asked = applies ? count(channels) : 0;
+    gate g(of(gateKind::stability, asked, asked));
+    g.applies = applies;
     for (label i = 0; i < asked; ++i)
     {
-        const weighed w(winnerWithout(i));
-        if (!isAmong({best()}, w))
+        const weighed w(winnerWithout(s, m, best, mechanisms, i));
+        if (!(w.what == best.what))
         {
-            winners_.append({channels[i].name, w});
-            lost += ' ' + channels[i].name;
+            winners.push_back({channels[i].name, w});
+            g.lost.append(channels[i].name);
         }
     }
-    return
+    g.value = asked - g.lost.size();
+    g.passed = g.lost.empty();
+    return g;
+}
+
+
+//- What the mechanisms of the best gain with nothing unknown beside them
+gate aloneGate
+(
+    const settings& set,
+    const hypothesis& what,
+    const scalar alone
+)
+{
+    gate g(atLeast(gateKind::alone, alone, set.evidence));
+    g.applies = what.mechanisms.size();
+    return g;
+}
+
+
+gate placeboGate
+(
+    const settings& set,
+    const models& m,
+    const explanations& e,
+    const List<heldOut>& held,
+    const scalar alone
+)
+{
+    const weighed& best = e.best();
+    const stacked& data = m.fit->data();
+    const vec y = data.y;
+    const vec base = e.baseline().best.f;
+    const auto copy(m.fit->copy());
+
+    copy->record(2*base - y);
+    scalar placebo = gain(*copy, best.what, set.formulaTolerance);
+
+    // An effect that lasts is much the same at another time: no placebo then. And
+    // what held-out data confirm was seen at other times and places indeed
+    const vec effect = best.best.f - base;
+    const whitener white(e.baseline().covariance);
+    const bool canMove =
+        !isConfirmed(held)
+     && likeness(white(effect), white(halfRoundLater(data, effect))) < 0.7;
+    if (canMove)
     {
-        "stability",
-        "Channels that can be left out without another explanation winning",
-        Foam::name(asked - winners_.size()) + " of " + Foam::name(asked)
-      + (lost.empty() ? "" : " (not" + lost + ")"),
-        "all",
-        applies,
-        winners_.empty()
-    };
+        copy->record(base + halfRoundLater(data, vec(y - base)));
+        placebo = max(placebo, gain(*copy, best.what, set.formulaTolerance));
+    }
+
+    gate g(below(gateKind::placebo, placebo, 0.5*alone));
+    g.applies = best.what.mechanisms.size() && alone >= set.evidence;
+    g.gained = alone;
+    g.moved = canMove;
+    return g;
 }
 
 
-Foam::scalar Foam::misfit::diagnosis::gainAlone() const
+//- Of each of these that gates, and the harm that channels show
+void askHeldOut
+(
+    const study& s,
+    const models& m,
+    const weighed& best,
+    const List<heldOut>& held,
+    gateList& gates
+)
 {
-    return
-        best().what.mechanisms.empty() ? 0
-      : gain(*fit_, best().what, settings_.formulaTolerance);
-}
-
-
-bool Foam::misfit::diagnosis::isMostlyUnknown(const scalar alone) const
-{
-    return
-        best().what.unknown && best().what.mechanisms.size()
-     && alone < (baseline().score - best().score)/3;
-}
-
-
-Foam::misfit::gate
-Foam::misfit::diagnosis::aloneGate(const scalar alone) const
-{
-    return
+    for (const gateKind k :
+        {gateKind::heldOut, gateKind::transfer, gateKind::harm})
     {
-        "alone",
-        "Score that what is named gains with nothing unknown beside it",
-        number(alone),
-        "at least " + number(settings_.evidence),
-        best().what.mechanisms.size() > 0,
-        alone >= settings_.evidence
-    };
+        gates.addNothing(k);
+    }
+    forAll(held, i)
+    {
+        if (held[i].use == purpose::gate)
+        {
+            gates.add(heldOutGate(best.what, held[i], i));
+        }
+        if (held[i].what == heldOut::part::channels)
+        {
+            gates.add(harmGate(s, m, best, held[i], i));
+        }
+    }
 }
 
+} // End anonymous namespace
 
-bool Foam::misfit::diagnosis::isConfirmed() const
+
+bool Foam::misfit::isConfirmed(const List<heldOut>& held)
 {
     bool some = false;
-    for (const heldOut& h : found_.held)
+    for (const heldOut& h : held)
     {
         if (h.use == purpose::gate && h.squareBefore > matchLimit(h))
         {
@@ -360,82 +405,71 @@ bool Foam::misfit::diagnosis::isConfirmed() const
 }
 
 
-Foam::misfit::gate
-Foam::misfit::diagnosis::placeboGate(const scalar alone) const
+std::map<Foam::word, Foam::misfit::covariance> Foam::misfit::askGates
+(
+    study& s,
+    const models& m,
+    const std::vector<int>& mechanisms,
+    finding& f
+)
 {
-    const stacked& data = fit_->data();
-    const vec y = data.y;
-    const vec base = baseline().best.f;
-    const scalar tolerance = settings_.formulaTolerance;
-    const auto copy(fit_->copy());
-
-    copy->record(2*base - y);
-    scalar placebo = gain(*copy, best().what, tolerance);
-
-    // An effect that lasts is much the same at another time: no placebo then. And
-    // what held-out data confirm was seen at other times and places indeed
-    const vec effect = best().best.f - base;
-    const whitener white(baseline().covariance);
-    const bool canMove =
-        !isConfirmed()
-     && likeness(white(effect), white(halfRoundLater(data, effect))) < 0.7;
-    if (canMove)
-    {
-        copy->record(base + halfRoundLater(data, vec(y - base)));
-        placebo = max(placebo, gain(*copy, best().what, tolerance));
-    }
-    const scalar limit = 0.5*alone;
-    return
-    {
-        "placebo",
-        "Score that the best explanation gains, " + number(alone)
-      + ": what it still gains where the misfit has the wrong sign"
-      + (canMove ? " or is moved in time" : ""),
-        number(placebo),
-        "below " + number(limit),
-        best().what.mechanisms.size() && alone >= settings_.evidence,
-        placebo < limit
-    };
-}
-
-
-void Foam::misfit::diagnosis::askGates()
-{
-    found_.gates.append(detectionGate());
-    const bool detected = found_.gates.last().passed;
-    const scalar alone = detected ? gainAlone() : 0;
+    Info<< "Gates" << endl;
+    const settings& set = s.set();
+    explanations& e = f.explained;
+    f.gates.add
+    (
+        below(gateKind::detection, f.detection.p, set.significance)
+    );
+    const bool detected = isDetected(s, f);
+    f.gates.addNothing(gateKind::computed);
+    scalar alone = 0;
     if (detected)
     {
-        found_.gates.append(evidenceGate());
-        found_.gates.append(computedGate());
-        found_.gates.append(gapGate());
-        found_.gates.append(adequacyGate(alone));
+        alone =
+            e.best().what.mechanisms.empty() ? 0
+          : gain(*m.fit, e.best().what, set.formulaTolerance);
+        f.gates.add
+        (
+            atLeast
+            (
+                gateKind::evidence,
+                e.baseline().score - e.best().score,
+                set.evidence
+            )
+        );
+        f.gates.add(computedGate(e));
+        f.gates.add(gapGate(e, set));
+        f.gates.add(adequacyGate(s, m, e, alone));
     }
     else
     {
         // Where the fitted channels agree, others may part all the same
-        putFirst(told(baseline().what, mechanismNames()));
+        e.putFirst(hypothesis(e.baseline().what));
     }
-    addHeldOut();
-    for (const heldOut& h : found_.held)
+
+    const weighed& best = e.best();
+    const heldOutTest test
+    (
+        testHeldOut
+        (
+            s, m, e,
+            best.what.isNone() || blamesOneSensor(best.what)
+         || !f.gates.passed(gateKind::evidence)
+        )
+    );
+    f.tested = test.held;
+    f.held = test.held;
+    for (const failedExperiment& failed : test.failed)
     {
-        const bool here = h.what == "held-out channels";
-        if (h.use == purpose::gate)
-        {
-            found_.gates.append
-            (
-                heldOutGate(here ? "heldOut" : "transfer", h)
-            );
-        }
-        if (here)
-        {
-            found_.gates.append(harmGate(h));
-        }
+        f.failedExperiments.append(failed.name);
+        f.gates.add(failedGate(failed));
     }
+    askHeldOut(s, m, best, f.held, f.gates);
     if (detected)
     {
-        found_.gates.append(stabilityGate());
-        found_.gates.append(aloneGate(alone));
-        found_.gates.append(placeboGate(alone));
+        f.gates.add(stabilityGate(s, m, best, mechanisms, f.winners));
+        f.gates.add(aloneGate(set, best.what, alone));
+        f.gates.add(placeboGate(set, m, e, f.held, alone));
     }
+    return test.known;
 }

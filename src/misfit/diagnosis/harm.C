@@ -1,43 +1,59 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// S7: whether what is named makes held-out channels worse.
+// Whether what is named makes held-out channels worse.
 
-#include "diagnosis.H"
+#include "harm.H"
 
 #include <cmath>
 
-Foam::misfit::mat Foam::misfit::diagnosis::predictionErrors() const
+namespace
 {
-    const vec& x = best().best.x;
-    const mat unsure = covarianceWithin
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+//- Covariance of the errors of what the best predicts at the held-out channels: of its
+//  variables, of another formula, of something unknown beside it
+mat predictionErrors
+(
+    const models& m,
+    const weighed& best,
+    const scalar tolerance
+)
+{
+    const vec& x = best.best.x;
+    const mat unsure = statistics::covarianceWithin
     (
-        hypothesisModel(fit_->surface(), bounds_, best().what),
-        whitener(best().covariance),
-        x
+        m.fit->model(best.what), whitener(best.covariance), x
     );
-    const mat there =
-        hypothesisModel(gate_->surface(), bounds_, best().what).slopes(x);
-    const weighing weigh(gate_->weigh(settings_.formulaTolerance));
+    const mat there = m.gate->model(best.what).slopes(x);
+    const weighing weigh(m.gate->weigh(tolerance));
     mat errors =
-        there*unsure*there.transpose()
-      + weigh.otherFormula(best());
-    if (best().what.unknown)
+        there*unsure*there.transpose() + weigh.otherFormula(best);
+    if (best.what.unknown)
     {
-        errors += weigh.unknownShape(best().amplitude, best().length);
+        errors += weigh.unknownShape(best.amplitude, best.length);
     }
     return errors;
 }
 
+} // End anonymous namespace
 
-Foam::scalar
-Foam::misfit::diagnosis::chanceOfHarm(const heldOut& h) const
+
+Foam::scalar Foam::misfit::chanceOfHarm
+(
+    const models& m,
+    const weighed& best,
+    const heldOut& h,
+    const scalar tolerance
+)
 {
     // Given the effect that it predicts, what a right prediction leaves has the mean
     // nought; where it points against the effect, too much was predicted
-    const covariance known(h.data, gate_->uncertainty());
+    const covariance known(h.data, m.gate->uncertainty());
     const whitener white(known.at(h.after));
     const vec effect = white(vec(h.after - h.before));
     const vec left = white(vec(h.data.y - h.after));
-    const mat half = white(predictionErrors());
+    const mat half = white(predictionErrors(m, best, tolerance));
     const mat errors = white(mat(half.transpose()));
     const scalar deviation =
         std::sqrt(effect.squaredNorm() + effect.dot(errors*effect));

@@ -1,25 +1,308 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How well data that were not used to find an answer are matched with it.
 
-#include "finding.H"
+#include "heldOut.H"
+#include "uncertainty.H"
 
 #include <cmath>
 
-void Foam::misfit::addCompared
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+//- Samples with the sensor fault that was found, where it shows
+vec withFault
 (
-    List<heldOut>& all,
-    const string& what,
+    const models& m,
+    const weighed& best,
+    const stacked& data,
+    const vec& computed
+)
+{
+    if (!best.what.fault || computed.size() != data.size())
+    {
+        return computed;
+    }
+    return
+        best.what.fault->elsewhere
+        (
+            data, computed, m.fit->model(best.what).ofFault(best.best.x)
+        );
+}
+
+
+//- What one standard deviation along each axis of what the calibration leaves
+//  uncertain changes in the variables, within their bounds
+std::vector<vec> calibrationSteps
+(
+    const study& s,
+    const models& m,
+    const weighed& base
+)
+{
+    const label nP = s.bounds().nParameters;
+    std::vector<vec> steps;
+    if (!nP)
+    {
+        return steps;
+    }
+
+    // A parameter at its bound is as uncertain as the others. In widths, as the
+    // units may be any.
+    const hypothesisModel model(m.fit->model(base.what));
+    const vec width = s.width().head(nP);
+    const mat slopes =
+        whitener(base.covariance)(model.slopes(base.best.x))*width.asDiagonal();
+    const vec prior = width.cwiseQuotient(model.deviation());
+    const mat curvature =
+        slopes.transpose()*slopes + mat(prior.cwiseAbs2().asDiagonal());
+    const Eigen::SelfAdjointEigenSolver<mat> axes(curvature);
+    const vec x = base.best.x.cwiseQuotient(width);
+    const vec lower = model.lower().cwiseQuotient(width);
+    const vec upper = model.upper().cwiseQuotient(width);
+    for (label k = 0; k < nP; ++k)
+    {
+        const vec step =
+            axes.eigenvectors().col(k)/std::sqrt(axes.eigenvalues()[k]);
+        const auto within = [&](const vec& at)
+        {
+            return vec(at.cwiseMax(lower).cwiseMin(upper) - x);
+        };
+        const vec up = within(x + step);
+        const vec down = within(x - step);
+        vec longer = vec::Zero(s.bounds().mean.size());
+        longer.head(nP) =
+            (up.norm() < down.norm() ? down : up).cwiseProduct(width);
+        if (longer.norm() > 0)
+        {
+            steps.push_back(longer);
+        }
+    }
+    return steps;
+}
+
+
+//- Adds what packings and numerics change in another experiment; false if that is not
+//  known
+bool addNumerics(study& s, const observed& other, covariance& known)
+{
+    const label packings = s.set().packings;
+    const List<runState> states(uncertaintyRuns(s, other.experiment));
+    const List<samples> given(s.run(states));
+    mat repeats(other.gate.size(), 0);
+    bool confirms = true;
+    forAll(given, i)
+    {
+        if (!given[i].ok())
+        {
+            s.leaveOut(states[i], given[i].failure);
+            confirms = confirms && i > 0 && i < packings;
+        }
+        else if (i < packings)
+        {
+            appendColumn(repeats, given[i].gate);
+        }
+        else if (given.first().ok())
+        {
+            known.addDifference
+            (
+                states[i].resolution, given[i].gate - given.first().gate
+            );
+        }
+    }
+    known.addRepeats(repeats, s.set().common);
+    return confirms && (packings < 2 || repeats.cols() > 1);
+}
+
+
+//- The same for what the calibration's steps change: the states from the third on,
+//  the first being calibrated
+void addCalibration
+(
+    study& s,
+    const List<runState>& states,
+    const List<samples>& given,
+    covariance& known
+)
+{
+    mat changes(known.size(), 0);
+    for (label k = 2; k < given.size(); ++k)
+    {
+        if (!given[k].ok())
+        {
+            s.leaveOut(states[k], given[k].failure);
+        }
+        else
+        {
+            appendColumn(changes, given[k].gate - given[0].gate);
+        }
+    }
+    known.addDirections("calibration", changes);
+}
+
+
+//- Recordings of other experiments, one by one
+class otherExperiments
+{
+    study& s_;
+
+    const models& m_;
+
+    const weighed& best_;
+
+    const computed before_;
+
+    const computed after_;
+
+    const std::vector<vec>& steps_;
+
+    heldOutTest& test_;
+
+
+    //- What is recorded there, before and after
+    void compare
+    (
+        const observed& other,
+        const samples& before,
+        const samples& after,
+        const covariance& known
+    )
+    {
+        const auto add = [&]
+        (
+            const heldOut::part what,
+            const purpose use,
+            const stacked& data,
+            const vec& from,
+            const vec& to,
+            const covariance& c
+        )
+        {
+            test_.held.append
+            (
+                compared
+                (
+                    what, other.experiment, use, data, from,
+                    withFault(m_, best_, data, to), c, s_.set().adequacy
+                )
+            );
+        };
+        using part = heldOut::part;
+        if (other.use != purpose::gate)
+        {
+            add
+            (
+                part::experiment, other.use, other.score, before.score,
+                after.score, known
+            );
+            return;
+        }
+        add
+        (
+            part::experiment, other.use, other.gate, before.gate, after.gate,
+            known
+        );
+        add
+        (
+            part::scoredElsewhere, purpose::score, other.score, before.score,
+            after.score, covariance(other.score, s_.set().trigger)
+        );
+    }
+
+
+    //- Once for each experiment
+    void fail(const observed& other, const string& why)
+    {
+        if (test_.failed.empty() || test_.failed.last().name != other.experiment)
+        {
+            test_.failed.append({other.experiment, why});
+        }
+    }
+
+
+public:
+
+    otherExperiments
+    (
+        study& s,
+        const models& m,
+        const explanations& e,
+        const std::vector<vec>& steps,
+        heldOutTest& test
+    )
+    :
+        s_(s),
+        m_(m),
+        best_(e.best()),
+        before_(e.lookUp(m, e.baseline())),
+        after_(e.lookUp(m, e.best())),
+        steps_(steps),
+        test_(test)
+    {}
+
+    void test(const observed& other)
+    {
+        const bool gates = other.use == purpose::gate;
+        List<runState> states
+        ({
+            s_.state(other.experiment, before_.variables),
+            s_.state(other.experiment, after_.variables)
+        });
+        for (label k = 0; gates && k < count(steps_); ++k)
+        {
+            states.append
+            (
+                s_.state(other.experiment, before_.variables + steps_[k])
+            );
+        }
+        const List<samples> given(s_.means(states));
+
+        covariance known(gates ? other.gate : other.score, s_.set().trigger);
+        if (gates && given[0].ok())
+        {
+            if (!addNumerics(s_, other, known))
+            {
+                fail(other, "");
+            }
+            addCalibration(s_, states, given, known);
+        }
+        test_.known.insert({other.experiment, known});
+
+        if (given[0].ok() && given[1].ok())
+        {
+            compare(other, given[0], given[1], known);
+            return;
+        }
+        const label failed = given[1].ok() ? 0 : 1;
+        s_.leaveOut(states[failed], given[failed].failure);
+        if (gates)
+        {
+            fail(other, given[failed].failure);
+        }
+    }
+};
+
+} // End anonymous namespace
+
+
+Foam::List<Foam::misfit::heldOut> Foam::misfit::compared
+(
+    const heldOut::part what,
+    const word& experiment,
     const purpose use,
     const stacked& data,
     const vec& before,
     const vec& after,
-    const covariance& known
+    const covariance& known,
+    const scalar adequacy
 )
 {
     const label n = data.size();
     if (!n || before.size() != n || after.size() != n)
     {
-        return;
+        return List<heldOut>();
     }
     const mat uncertain(known.at(after));
     const whitener white(uncertain);
@@ -27,36 +310,21 @@ void Foam::misfit::addCompared
     {
         return white(vec(data.y - f)).squaredNorm()/n;
     };
-    all.append
-    ({
-        what, use, data, before, after, uncertain.diagonal().cwiseSqrt(),
-        square(before), square(after)
-    });
-}
-
-
-Foam::scalar Foam::misfit::chanceOfSquare
-(
-    const label samples,
-    const scalar probability
-)
-{
-    // Of a standard normal number, by halving
-    scalar low = -10;
-    scalar high = 10;
-    for (label i = 0; i < 60; ++i)
-    {
-        const scalar z = 0.5*(low + high);
-        (std::erfc(z/std::sqrt(2.0)) > 2*probability ? low : high) = z;
-    }
-    const scalar v = 2.0/(9*samples);
-    return pow3(1 - v + low*std::sqrt(v));
+    return List<heldOut>
+    (
+        1,
+        {
+            what, experiment, use, data, before, after,
+            uncertain.diagonal().cwiseSqrt(), square(before), square(after),
+            statistics::chanceOfSquare(n, adequacy)
+        }
+    );
 }
 
 
 Foam::scalar Foam::misfit::matchLimit(const heldOut& h)
 {
-    return max(1.5, chanceOfSquare(h.data.size(), 0.01));
+    return max(1.5, statistics::chanceOfSquare(h.data.size(), 0.01));
 }
 
 
@@ -65,4 +333,62 @@ Foam::scalar Foam::misfit::removed(const heldOut& h)
     return
         h.squareBefore > 1
       ? min((h.squareBefore - h.squareAfter)/(h.squareBefore - 1), 1.0) : 0;
+}
+
+
+Foam::misfit::heldOutTest Foam::misfit::testHeldOut
+(
+    study& s,
+    const models& m,
+    const explanations& e,
+    const bool mayBeNothing
+)
+{
+    heldOutTest test;
+    const computed before(e.lookUp(m, e.baseline()));
+    const computed after(e.lookUp(m, e.best()));
+    const std::vector<vec> steps
+    (
+        mayBeNothing ? calibrationSteps(s, m, e.baseline()) : std::vector<vec>()
+    );
+    const word& here = s.data().experiment;
+    if (m.gate->size())
+    {
+        const stacked& data = m.gate->data();
+        covariance known(data, m.gate->uncertainty());
+        const mat slopes = m.gate->surface().slopes(before.variables);
+        mat changes(data.size(), steps.size());
+        for (label k = 0; k < count(steps); ++k)
+        {
+            changes.col(k) = slopes*steps[k];
+        }
+        known.addDirections("calibration", changes);
+        test.held.append
+        (
+            compared
+            (
+                heldOut::part::channels, here, purpose::gate, data,
+                before.given.gate, withFault(m, e.best(), data, after.given.gate),
+                known, s.set().adequacy
+            )
+        );
+    }
+    const stacked& scored = s.data().score;
+    test.held.append
+    (
+        compared
+        (
+            heldOut::part::scored, here, purpose::score, scored,
+            before.given.score,
+            withFault(m, e.best(), scored, after.given.score),
+            covariance(scored, s.set().trigger), s.set().adequacy
+        )
+    );
+
+    otherExperiments others(s, m, e, steps, test);
+    for (label i = 1; i < s.experiments().size(); ++i)
+    {
+        others.test(s.experiments()[i]);
+    }
+    return test;
 }

@@ -1,26 +1,155 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// S6: the best explanations, computed in the solver and fitted again.
+// Explanations are weighed on the response surface; the best are computed in the
+// solver and fitted again.
 
-#include "diagnosis.H"
-#include "settle.H"
-#include "HashSet.H"
+#include "refit.H"
+#include "detect.H"
 
-Foam::misfit::weighed Foam::misfit::diagnosis::refitted(const weighed& w)
+namespace
 {
-    const auto local(fit_->copy());
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+bool isTried(const std::vector<hypothesis>& tried, const hypothesis& h)
+{
+    return statistics::contains(tried, h);
+}
+
+
+//- Computes an explanation and notes what the solver gave
+weighed computedAnew
+(
+    study& s,
+    const models& m,
+    explanations& e,
+    const weighed& w
+)
+{
+    const refitted r(refit(s, *m.fit, w));
+    e.forget(w.what);
+    if (r.failure.empty())
+    {
+        e.note({w.what, r.variables, r.given});
+    }
+    return r.best;
+}
+
+
+void preferAmongRivals(const study& s, const models& m, explanations& e)
+{
+    e.sort();
+
+    // What all rivals have on is the answer, if that alone is one of them
+    const std::vector<weighed> near(e.rivals(s.set()));
+    const std::vector<int> core(common(near));
+    for (const weighed& w : near)
+    {
+        if (core.size() && w.what.mechanisms.size() == core.size())
+        {
+            e.putFirst(w.what);
+            break;
+        }
+    }
+
+    // If it leaves more than chance, it is a part of what is missing
+    const hypothesis what(e.best().what);
+    const bool whole = what.mechanisms.size() && !what.unknown;
+    if (whole && look(s, *m.fit, e.best()).p < s.set().adequacy)
+    {
+        hypothesis part(what);
+        part.unknown = true;
+        e.putFirst(part);
+    }
+}
+
+} // End anonymous namespace
+
+
+Foam::misfit::refitted Foam::misfit::refit
+(
+    const weighed& start,
+    const label passes,
+    const vec& width,
+    const refitting& with
+)
+{
+    refitted r;
+    r.best = start;
+    weighed least(start);
+    weighed onward(start);
+    weighed next(start);
+    scalar share = 1;
+    for (label pass = 0; pass < passes; ++pass)
+    {
+        const vec x = with.expand(next);
+        const samples given(with.compute(x));
+        if (!given.ok() && !pass)
+        {
+            Info<< "    not refitted: " << given.failure.c_str() << endl;
+            r.failure = given.failure;
+            return r;
+        }
+
+        bool better = false;
+        if (given.ok())
+        {
+            with.passThrough(x, given);
+            const weighed here(with.stay(next));
+            better = !pass || here.score < least.score;
+            if (better)
+            {
+                least = here;
+                r.variables = x;
+                r.given = given;
+            }
+            else
+            {
+                with.passThrough(r.variables, r.given);
+            }
+            onward = with.fit(least);
+        }
+        else
+        {
+            Info<< "    half as far, as there " << given.failure.c_str() << endl;
+        }
+        share = better ? 1 : 0.5*share;
+
+        const vec step = with.expand(onward) - with.expand(least);
+        if (!step.size() || step.cwiseQuotient(width).cwiseAbs().maxCoeff() < 0.05)
+        {
+            r.best = onward;
+            return r;
+        }
+        next = onward;
+        next.best.x = least.best.x + share*(onward.best.x - least.best.x);
+    }
+    r.best = least;
+    return r;
+}
+
+
+Foam::misfit::refitted Foam::misfit::refit
+(
+    study& s,
+    const sampledModel& surface,
+    const weighed& start,
+    const whitener* white
+)
+{
+    const auto local(surface.copy());
     const auto weigh = [&]()
     {
-        return local->weigh(settings_.formulaTolerance);
+        return local->weigh(s.set().formulaTolerance);
     };
-    refitting<weighed> with;
+    refitting with;
     with.expand = [&](const weighed& now)
     {
-        return
-            hypothesisModel(local->surface(), bounds_, now.what).expand(now.best.x);
+        return local->model(now.what).expand(now.best.x);
     };
     with.compute = [&](const vec& x)
     {
-        return means(List<vec>(1, x)).first();
+        return s.means(std::vector<vec>(1, x)).first();
     };
     with.passThrough = [&](const vec& x, const samples& given)
     {
@@ -28,174 +157,82 @@ Foam::misfit::weighed Foam::misfit::diagnosis::refitted(const weighed& w)
     };
     with.stay = [&](const weighed& now)
     {
-        return weigh().where(now);
+        return white ? weigh().where(now, *white) : weigh().where(now);
     };
     with.fit = [&](const weighed& now)
     {
-        return weigh().thoroughly(now);
+        return white ? weigh().again(now, *white) : weigh().thoroughly(now);
     };
-
-    const settled<weighed> s(settle(w, settings_.passes, width_, with));
-    forget(w);
-    if (s.failure.empty())
-    {
-        computed_.append({told(w.what, mechanismNames()), s.variables, s.given});
-    }
-    return s.best;
+    return refit(start, s.set().passes, s.width(), with);
 }
 
 
-void Foam::misfit::diagnosis::forget(const weighed& w)
+void Foam::misfit::refitBest(study& s, const models& m, explanations& e)
 {
-    const string name(told(w.what, mechanismNames()));
-    List<computed> others;
-    for (const computed& c : computed_)
-    {
-        if (c.explanation != name)
-        {
-            others.append(c);
-        }
-    }
-    computed_.transfer(others);
-}
-
-
-void Foam::misfit::diagnosis::refit()
-{
-    if (found_.detection.p >= settings_.significance)
-    {
-        return;
-    }
-    Info<< "S6 refit" << endl;
-    List<weighed>& all = found_.explanations;
+    Info<< "Refit of the best explanations" << endl;
+    std::vector<weighed>& all = e.all();
+    const label n = s.set().refit;
 
     // The first run of each, side by side; the passes find them done
-    List<vec> first;
-    forAll(all, i)
+    std::vector<vec> first;
+    for (label i = 0; i < count(all); ++i)
     {
-        if (i < settings_.refit || all[i].what.isNone())
+        if (i < n || all[i].what.isNone())
         {
-            const hypothesisModel model(fit_->surface(), bounds_, all[i].what);
-            first.append(model.expand(all[i].best.x));
+            first.push_back(m.fit->model(all[i].what).expand(all[i].best.x));
         }
     }
-    means(first);
+    s.means(first);
 
     // The base too; then the best, until the best of all was computed
-    HashSet<string, string::hash> done;
+    std::vector<hypothesis> done;
     for (weighed& w : all)
     {
         if (w.what.isNone())
         {
-            w = refitted(w);
-            done.insert(told(w.what, mechanismNames()));
+            w = computedAnew(s, m, e, w);
+            done.push_back(w.what);
         }
     }
-    for (label n = 0; n < settings_.refit + 2; ++n)
+    const label most = min(n, label(all.size()));
+    for (label k = 0; k < n + 2; ++k)
     {
-        sortByScore(all);
+        e.sort();
         label i = 0;
-        while
-        (
-            i < min(settings_.refit, all.size())
-         && done.found(told(all[i].what, mechanismNames()))
-        )
+        while (i < most && isTried(done, all[i].what))
         {
             ++i;
         }
-        if (i == min(settings_.refit, all.size()))
+        if (i == most)
         {
             break;
         }
-        done.insert(told(all[i].what, mechanismNames()));
-        all[i] = refitted(all[i]);
+        done.push_back(all[i].what);
+        all[i] = computedAnew(s, m, e, all[i]);
     }
-    sortByScore(all);
+    e.sort();
 }
 
 
-const Foam::misfit::diagnosis::computed*
-Foam::misfit::diagnosis::findComputed(const weighed& w) const
+void Foam::misfit::prefer
+(
+    study& s,
+    const models& m,
+    explanations& e,
+    const bool detected
+)
 {
-    const string name(told(w.what, mechanismNames()));
-    for (const computed& c : computed_)
+    std::vector<hypothesis> tried;
+    for (label n = 0; n < s.set().refit + 2; ++n)
     {
-        if (c.explanation == name)
+        preferAmongRivals(s, m, e);
+        const hypothesis what(e.best().what);
+        if (!detected || e.find(what) || isTried(tried, what))
         {
-            return &c;
+            return;
         }
+        tried.push_back(what);
+        e.all().front() = computedAnew(s, m, e, e.best());
     }
-    return nullptr;
-}
-
-
-Foam::misfit::diagnosis::computed
-Foam::misfit::diagnosis::lookUp(const weighed& w) const
-{
-    if (const computed* found = findComputed(w))
-    {
-        return *found;
-    }
-
-    const hypothesisModel model(fit_->surface(), bounds_, w.what);
-    computed c;
-    c.explanation = told(w.what, mechanismNames());
-    c.variables = model.expand(w.best.x);
-    c.given.fit = w.best.f;
-    if (gate_->size())
-    {
-        c.given.gate = gate_->surface()(c.variables);
-    }
-    return c;
-}
-
-
-const Foam::misfit::weighed& Foam::misfit::diagnosis::baseline() const
-{
-    for (const weighed& w : found_.explanations)
-    {
-        if (w.what.isNone())
-        {
-            return w;
-        }
-    }
-    return found_.explanations.last();
-}
-
-
-Foam::scalar Foam::misfit::diagnosis::lowestScore() const
-{
-    scalar lowest = GREAT;
-    for (const weighed& w : found_.explanations)
-    {
-        lowest = min(lowest, w.score);
-    }
-    return lowest;
-}
-
-
-Foam::List<Foam::misfit::weighed> Foam::misfit::diagnosis::rivals() const
-{
-    const scalar lowest = lowestScore();
-    hypothesis leader;
-    for (const weighed& w : found_.explanations)
-    {
-        if (w.score == lowest)
-        {
-            leader = w.what;
-        }
-    }
-    List<weighed> near;
-    for (const weighed& w : found_.explanations)
-    {
-        // Another formula of the first is easily taken for a second mechanism
-        const bool isPart =
-            leader.mechanisms.size() > 1 && w.what.mechanisms.size()
-         && leader.contains(w.what);
-        if (w.score < lowest + (isPart ? settings_.pairGap : settings_.gap))
-        {
-            near.append(w);
-        }
-    }
-    return near;
+    preferAmongRivals(s, m, e);
 }

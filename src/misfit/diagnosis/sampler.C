@@ -28,7 +28,7 @@ segment describe(const channel& c, const label first)
     s.span = c.span();
     s.overTime = c.overTime();
     s.hasPlace = c.hasPlace();
-    s.place = c.place();
+    s.place << c.place().x(), c.place().y(), c.place().z();
     s.uncertainty = c.uncertainty();
     s.memory = c.memory();
     s.gainUncertainty = c.gainUncertainty();
@@ -72,7 +72,7 @@ stacked possible(const recordings& all, const word& experiment)
             segment s(describe(c, n));
             s.size = 40;
             s.x = vec::LinSpaced(s.size, from, to);
-            data.segments.append(s);
+            data.segments.push_back(s);
             n += s.size;
         }
     }
@@ -123,7 +123,7 @@ Foam::misfit::stacked Foam::misfit::stack
     label n = 0;
     for (const label i : channels)
     {
-        data.segments.append(describe(all.channels()[i], n));
+        data.segments.push_back(describe(all.channels()[i], n));
         n += all.channels()[i].size();
     }
     data.y.resize(n);

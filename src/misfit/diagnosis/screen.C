@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// S4: candidates that cannot be the cause, before a run is spent on them.
+// Candidates that cannot be the cause, before a run is spent on them.
 
-#include "diagnosis.H"
-
-#include <random>
+#include "screen.H"
 
 namespace
 {
@@ -11,161 +9,90 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
-//- Place where a rising or falling series passes a level, between samples
-scalar passage(const vec& x, const vec& v, label i, const label step, scalar level)
-{
-    while (i > 0 && i < v.size() - 1 && v[i] < level)
-    {
-        i += step;
-    }
-    const label before = min(max(i - step, 0), label(v.size() - 1));
-    const scalar d = v[i] - v[before];
-    return
-        mag(d) > VSMALL && i != before
-      ? x[before] + (x[i] - x[before])*(level - v[before])/d : x[i];
-}
-
-
-//- The numbers of featureNames: arrival (a fifth of the rise), peak, time of the
-//  rise, time of the decay to half, and mean of the last tenth
-vec features(const segment& s, const vec& all)
-{
-    const vec v = s.of(all).array() - all[s.first];
-    label top = 0;
-    const scalar peak = v.maxCoeff(&top);
-    const label tenth = max(s.size/10, 1);
-    vec f(5);
-    label i = 0;
-    while (i < top && v[i] < 0.2*peak)
-    {
-        ++i;
-    }
-    f[0] = passage(s.x, v, i, 1, 0.2*peak);
-    f[1] = peak;
-    f[2] = s.x[top] - f[0];
-    i = top;
-    while (i < s.size - 1 && v[i] > 0.5*peak)
-    {
-        ++i;
-    }
-    f[3] = s.x[i] - s.x[top];
-    f[4] = v.tail(tenth).mean();
-    return f;
-}
-
-
-//- Change of the features over their standard deviation
-vec change
+//- True if a feature that the candidate is expected to change differs the other way,
+//  and none as expected
+bool isOpposite
 (
-    const segment& s,
-    const vec& from,
-    const vec& to,
-    const whitener& white
+    const candidate& c,
+    const stacked& data,
+    const std::vector<vec>& changes
 )
 {
-    const label n = 100;
-    std::mt19937 generator(1);
-    std::normal_distribution<scalar> normal;
-    vec squares = vec::Zero(5);
-    const vec centre = features(s, from);
-    for (label k = 0; k < n; ++k)
+    bool asExpected = false;
+    bool opposite = false;
+    for (const expectedSign& e : c.signs)
     {
-        vec u(from.size());
-        for (scalar& value : u)
+        const label f = featureNames.find(e.feature);
+        for (label k = 0; k < count(data.segments) && f >= 0; ++k)
         {
-            value = normal(generator);
+            if (data.segments[k].quantity == e.quantity)
+            {
+                asExpected = asExpected || e.sign*changes[k][f] > 3;
+                opposite = opposite || e.sign*changes[k][f] < -3;
+            }
         }
-        squares += (features(s, from + white.colour(u)) - centre).cwiseAbs2()/n;
     }
-    return (features(s, to) - centre).cwiseQuotient
-    (
-        squares.cwiseSqrt().cwiseMax(VSMALL)
-    );
-}
-
-
-//- Misfit of a channel beyond its uncertainty, over what changes in it: as it was
-//  recorded or computed, and its uncertainty at least
-scalar shareBeyond
-(
-    const segment& s,
-    const vec& recorded,
-    const vec& computed,
-    const vec& sigma
-)
-{
-    const auto changing = [&s](const vec& v)
-    {
-        return s.isNumber() ? mag(v[0]) : vec(v.array() - v[0]).norm();
-    };
-    const scalar beyond =
-        vec(recorded - computed).squaredNorm() - sigma.squaredNorm();
-    return
-        std::sqrt(max(beyond, 0.0))
-       /max(max(changing(recorded), changing(computed)), sigma.norm());
+    return opposite && !asExpected;
 }
 
 } // End anonymous namespace
 
 
-void Foam::misfit::diagnosis::screen(const weighed& base)
+Foam::misfit::screened Foam::misfit::screen
+(
+    const study& s,
+    const sampledModel& fit,
+    const weighed& base,
+    const std::vector<int>& never
+)
 {
-    Info<< "S4 screen" << endl;
-    const stacked& data = fit_->data();
+    Info<< "Screening of the candidates" << endl;
+    const stacked& data = fit.data();
     const whitener white(base.covariance);
     const vec sigma = base.covariance.diagonal().cwiseSqrt();
-    List<vec> changes;
+    std::vector<vec> changes;
     scalar largest = 0;
-    for (const segment& s : data.segments)
+    for (const segment& at : data.segments)
     {
-        changes.append(change(s, base.best.f, data.y, white));
+        changes.push_back
+        (
+            statistics::changeOfFeatures(at, base.best.f, data.y, white)
+        );
         largest = max
         (
             largest,
-            shareBeyond(s, s.of(data.y), s.of(base.best.f), s.of(sigma))
+            statistics::shareBeyond
+            (
+                at, at.of(data.y), at.of(base.best.f), at.of(sigma)
+            )
         );
     }
 
-    mechanisms_.clear();
-    forAll(settings_.candidates, i)
+    using reason = droppedCandidate::reason;
+    screened result;
+    forAll(s.set().candidates, i)
     {
-        const candidate& c = settings_.candidates[i];
-        label asExpected = 0;
-        label opposite = 0;
-        for (const expectedSign& e : c.signs)
+        const candidate& c = s.set().candidates[i];
+        const auto drop = [&](const reason why)
         {
-            forAll(data.segments, k)
-            {
-                const label f = featureNames.find(e.feature);
-                if (data.segments[k].quantity == e.quantity && f >= 0)
-                {
-                    asExpected += e.sign*changes[k][f] > 3;
-                    opposite += e.sign*changes[k][f] < -3;
-                }
-            }
+            result.dropped.append({c.name, why, "", c.bound, largest});
+        };
+        if (statistics::contains(never, int(i)))
+        {
+            drop(reason::failedAlways);
         }
-        string why;
-        if (never_.found(i))
+        else if (isOpposite(c, data, changes))
         {
-            why = "the solver failed in each run with it";
-        }
-        else if (opposite && !asExpected)
-        {
-            why = "the recording differs the other way in what it changes";
+            drop(reason::opposite);
         }
         else if (largest > 3*c.bound)
         {
-            why =
-                "it can change at most " + Foam::name(100*c.bound)
-              + " % and the misfit is " + Foam::name(100*largest) + " %";
-        }
-        if (why.empty())
-        {
-            mechanisms_.append(i);
+            drop(reason::small);
         }
         else
         {
-            found_.dropped.append(Tuple2<word, string>(c.name, why));
+            result.left.push_back(i);
         }
     }
+    return result;
 }

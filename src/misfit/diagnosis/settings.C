@@ -12,11 +12,15 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
-wordList readFaults(const dictionary& dict)
+std::vector<faultKind> readFaults(const dictionary& dict)
 {
-    const wordList valid(sensorFault::kinds());
-    const wordList faults(dict.getOrDefault("faults", valid));
-    for (const word& name : faults)
+    wordList valid;
+    for (const std::string& name : statistics::faultNames())
+    {
+        valid.append(name);
+    }
+    std::vector<faultKind> kinds;
+    for (const word& name : dict.getOrDefault("faults", valid))
     {
         if (!valid.found(name))
         {
@@ -24,8 +28,9 @@ wordList readFaults(const dictionary& dict)
                 << "The fault " << name << " is not known. Valid faults:"
                 << keywords::listed(valid).c_str() << exit(FatalIOError);
         }
+        kinds.push_back(statistics::faultNamed(name));
     }
-    return faults;
+    return kinds;
 }
 
 

@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// S0: how far simulation and recording may differ with nothing wrong.
+// How far simulation and recording may differ with nothing wrong.
 
-#include "diagnosis.H"
+#include "uncertainty.H"
 
-Foam::List<Foam::misfit::runState> Foam::misfit::diagnosis::bases() const
+namespace
 {
-    List<runState> states;
-    for (const observed& o : sampler_.data())
-    {
-        states.append(state(bounds_.mean));
-        states.last().experiment = o.experiment;
-    }
-    return states;
-}
 
+using namespace Foam;
+using namespace Foam::misfit;
 
-void Foam::misfit::diagnosis::checkBases()
+void checkBases(study& s)
 {
-    const List<samples> given(sampler_(bases()));
+    const List<samples> given(s.run(bases(s)));
     if (!given.first().ok())
     {
         FatalErrorInFunction
@@ -32,7 +26,7 @@ void Foam::misfit::diagnosis::checkBases()
         {
             WarningInFunction
                 << "The base of the experiment "
-                << sampler_.data()[i].experiment << " did not run: "
+                << s.experiments()[i].experiment << " did not run: "
                 << given[i].failure.c_str() << nl
                 << "It will confirm nothing until that is mended" << endl;
         }
@@ -40,102 +34,59 @@ void Foam::misfit::diagnosis::checkBases()
 }
 
 
-void Foam::misfit::diagnosis::leaveOut(const runState& s, const string& why)
+//- Notes a run that failed, or stops where nothing goes on without it
+void checkFailure
+(
+    study& s,
+    const label run,
+    const runState& state,
+    const string& why
+)
 {
-    found_.failedRuns.append(told(s) + ": " + why);
-    Info<< "    left out: " << found_.failedRuns.last().c_str() << endl;
-}
-
-
-Foam::List<Foam::misfit::runState>
-Foam::misfit::diagnosis::uncertaintyRuns(const word& experiment) const
-{
-    List<runState> states;
-    for (label packing = 0; packing < settings_.packings; ++packing)
+    if (run >= s.set().packings)
     {
-        states.append(state(bounds_.mean, packing));
+        const word& name = state.resolution;
+        FatalErrorInFunction
+            << "The run with other " << name << " failed: "
+            << why.c_str() << nl << "Without it what numerics"
+            << " change would be taken for physics. Mend resolution/" << name
+            << " in system/misfitDict, or take it out. Finished runs are"
+            << " kept" << exit(FatalError);
     }
-    for (const word& name : settings_.resolutions)
-    {
-        states.append(state(bounds_.mean));
-        states.last().resolution = name;
-    }
-    for (runState& s : states)
-    {
-        s.experiment = experiment;
-    }
-    return states;
-}
-
-
-void Foam::misfit::diagnosis::uncertainty()
-{
-    Info<< "S0 uncertainty" << endl;
-    const List<runState> states(uncertaintyRuns(data().experiment));
-    checkBases();
-    const List<samples> given(ask(states));
-
-    mat fit(fit_->size(), 0);
-    mat gate(gate_->size(), 0);
-    forAll(given, i)
-    {
-        if (!given[i].ok() && i >= settings_.packings)
-        {
-            const word& name = states[i].resolution;
-            FatalErrorInFunction
-                << "The run with other " << name << " failed: "
-                << given[i].failure.c_str() << nl << "Without it what numerics"
-                << " change would be taken for physics. Mend resolution/" << name
-                << " in system/misfitDict, or take it out. Finished runs are"
-                << " kept" << exit(FatalError);
-        }
-        else if (!given[i].ok() && i < settings_.common)
-        {
-            FatalErrorInFunction
-                << "Packing " << i << ", one of the common " << settings_.common
-                << " that every state is computed with, failed: "
-                << given[i].failure.c_str() << nl << "Mend what 'packing' changes"
-                << " in system/misfitDict, or ask for fewer with 'common'."
-                << " Finished runs are kept" << exit(FatalError);
-        }
-        else if (!given[i].ok())
-        {
-            leaveOut(states[i], given[i].failure);
-        }
-        else if (i < settings_.packings)
-        {
-            appendColumn(fit, given[i].fit);
-            appendColumn(gate, given[i].gate);
-        }
-        else
-        {
-            const vec ofFit = given[i].fit - given.first().fit;
-            const vec ofGate = given[i].gate - given.first().gate;
-            checkChanges(states[i].resolution, ofFit, ofGate);
-            fit_->addDifference(states[i].resolution, ofFit);
-            gate_->addDifference(states[i].resolution, ofGate);
-        }
-    }
-    if (settings_.packings > 1 && fit.cols() < 2)
+    if (run < s.set().common)
     {
         FatalErrorInFunction
-            << "Of " << settings_.packings << " packings only " << label(fit.cols())
+            << "Packing " << run << ", one of the common " << s.set().common
+            << " that every state is computed with, failed: "
+            << why.c_str() << nl << "Mend what 'packing' changes"
+            << " in system/misfitDict, or ask for fewer with 'common'."
+            << " Finished runs are kept" << exit(FatalError);
+    }
+    s.leaveOut(state, why);
+}
+
+
+//- Stop where too few packings ran to know their spread
+void checkSpread(const label packings, const label ran)
+{
+    if (packings > 1 && ran < 2)
+    {
+        FatalErrorInFunction
+            << "Of " << packings << " packings only " << ran
             << " ran, so nothing is known of the spread between them: mend what"
             << " 'packing' changes in system/misfitDict. Finished runs are kept"
             << exit(FatalError);
     }
-    checkPackings(fit, gate);
-    fit_->addRepeats(fit, settings_.common);
-    gate_->addRepeats(gate, settings_.common);
 }
 
 
-void Foam::misfit::diagnosis::checkChanges
+//- Stop where another resolution changes nothing
+void checkChanges
 (
     const word& resolution,
     const vec& fit,
     const vec& gate
-) const
+)
 {
     if (fit.isZero(0) && gate.isZero(0))
     {
@@ -149,11 +100,12 @@ void Foam::misfit::diagnosis::checkChanges
 }
 
 
-void Foam::misfit::diagnosis::checkPackings
+//- Stop where two packings, a column each, are the same
+void checkPackings
 (
     const mat& fit,
     const mat& gate
-) const
+)
 {
     for (label i = 0; i < fit.cols(); ++i)
     {
@@ -171,4 +123,74 @@ void Foam::misfit::diagnosis::checkPackings
             }
         }
     }
+}
+
+} // End anonymous namespace
+
+
+Foam::List<Foam::misfit::runState> Foam::misfit::bases(const study& s)
+{
+    List<runState> states;
+    for (const observed& o : s.experiments())
+    {
+        states.append(s.state(o.experiment, s.bounds().mean));
+    }
+    return states;
+}
+
+
+Foam::List<Foam::misfit::runState> Foam::misfit::uncertaintyRuns
+(
+    const study& s,
+    const word& experiment
+)
+{
+    List<runState> states;
+    for (label packing = 0; packing < s.set().packings; ++packing)
+    {
+        states.append(s.state(experiment, s.bounds().mean));
+        states.last().packing = packing;
+    }
+    for (const word& name : s.set().resolutions)
+    {
+        states.append(s.state(experiment, s.bounds().mean));
+        states.last().resolution = name;
+    }
+    return states;
+}
+
+
+void Foam::misfit::addUncertainty(study& s, models& m)
+{
+    Info<< "Uncertainty" << endl;
+    const settings& set = s.set();
+    const List<runState> states(uncertaintyRuns(s, s.data().experiment));
+    checkBases(s);
+    const List<samples> given(s.run(states));
+    mat fit(m.fit->size(), 0);
+    mat gate(m.gate->size(), 0);
+    forAll(given, i)
+    {
+        if (!given[i].ok())
+        {
+            checkFailure(s, i, states[i], given[i].failure);
+        }
+        else if (i < set.packings)
+        {
+            appendColumn(fit, given[i].fit);
+            appendColumn(gate, given[i].gate);
+        }
+        else
+        {
+            const vec ofFit = given[i].fit - given.first().fit;
+            const vec ofGate = given[i].gate - given.first().gate;
+            checkChanges(states[i].resolution, ofFit, ofGate);
+            m.fit->addDifference(states[i].resolution, ofFit);
+            m.gate->addDifference(states[i].resolution, ofGate);
+        }
+    }
+    checkSpread(set.packings, fit.cols());
+    checkPackings(fit, gate);
+    m.fit->addRepeats(fit, set.common);
+    m.gate->addRepeats(gate, set.common);
 }

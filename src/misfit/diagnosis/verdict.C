@@ -1,10 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// S9: the verdict.
+// The verdict.
 
-#include "diagnosis.H"
+#include "verdict.H"
+#include "detect.H"
 #include "HashSet.H"
 
 #include <algorithm>
+
+const Foam::Enum<Foam::misfit::verdictKind> Foam::misfit::verdictNames
+({
+    {verdictKind::none, "none"},
+    {verdictKind::sensor, "sensor"},
+    {verdictKind::registration, "registration"},
+    {verdictKind::named, "named"},
+    {verdictKind::set, "set"},
+    {verdictKind::unknown, "unknown"}
+});
+
 
 namespace
 {
@@ -12,42 +24,17 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
-bool isFault(const weighed& w)
+bool isSame(const std::vector<int>& a, const std::vector<int>& b)
 {
-    return w.what.fault != nullptr;
-}
-
-
-bool isSame(const List<label>& a, const List<label>& b)
-{
-    return labelHashSet(a) == labelHashSet(b);
-}
-
-
-//- The mechanisms that all have on
-List<label> common(const List<weighed>& list)
-{
-    List<label> core(list.first().what.mechanisms);
-    for (const weighed& w : list)
-    {
-        List<label> both;
-        for (const label m : core)
-        {
-            if (w.what.mechanisms.found(m))
-            {
-                both.append(m);
-            }
-        }
-        core = both;
-    }
-    return core;
+    return
+        a.size() == b.size() && std::is_permutation(a.begin(), a.end(), b.begin());
 }
 
 
 //- Without those that add to another
-List<weighed> simplest(const List<weighed>& list)
+std::vector<weighed> simplest(const std::vector<weighed>& list)
 {
-    List<weighed> kept;
+    std::vector<weighed> kept;
     for (const weighed& w : list)
     {
         bool adds = false;
@@ -57,190 +44,117 @@ List<weighed> simplest(const List<weighed>& list)
         }
         if (!adds)
         {
-            kept.append(w);
+            kept.push_back(w);
         }
     }
     return kept;
 }
 
-} // End anonymous namespace
 
-
-void Foam::misfit::diagnosis::putFirst(const string& explanation)
+//- True if all are faults of the channel of the best
+bool blameOneChannel(const std::vector<weighed>& near, const hypothesis& best)
 {
-    const wordList names(mechanismNames());
-    forAll(found_.explanations, i)
-    {
-        if (told(found_.explanations[i].what, names) == explanation)
-        {
-            std::swap(found_.explanations[i], found_.explanations[0]);
-            return;
-        }
-    }
-}
-
-
-void Foam::misfit::diagnosis::prefer()
-{
-    // Held-out data are judged by the solver, not by the surface; what the solver
-    // makes worse gives way to the next
-    HashSet<string, string::hash> tried;
-    for (label n = 0; n < settings_.refit + 2; ++n)
-    {
-        preferAmongRivals();
-        const bool asked =
-            found_.detection.p >= settings_.significance
-         || findComputed(best())
-         || !tried.insert(told(best().what, mechanismNames()));
-        if (asked)
-        {
-            return;
-        }
-        found_.explanations[0] = refitted(best());
-    }
-    preferAmongRivals();
-}
-
-
-void Foam::misfit::diagnosis::preferAmongRivals()
-{
-    sortByScore(found_.explanations);
-
-    // What all rivals have on is the answer, if that alone is one of them
-    const wordList names(mechanismNames());
-    const List<weighed> near(rivals());
-    const List<label> core(common(near));
     for (const weighed& w : near)
     {
-        if (core.size() && w.what.mechanisms.size() == core.size())
+        const bool same =
+            w.what.fault && best.fault
+         && w.what.fault->channel == best.fault->channel;
+        if (!same)
         {
-            putFirst(told(w.what, names));
-            break;
+            return false;
         }
     }
-
-    // If it leaves more than chance, it is a part of what is missing
-    const bool whole =
-        best().what.mechanisms.size() && !best().what.unknown;
-    if (whole && look(*fit_, best()).p < settings_.adequacy)
-    {
-        hypothesis part(best().what);
-        part.unknown = true;
-        putFirst(told(part, names));
-    }
+    return true;
 }
 
 
-void Foam::misfit::diagnosis::judge(List<weighed>& near)
-{
-    label faults = 0;
-    for (const weighed& w : near)
-    {
-        faults += isFault(w);
-        if (w.what.isOnlyUnknown())
-        {
-            found_.verdict = "unknown";
-            return;
-        }
-    }
-    bool oneChannel = faults == near.size();
-    for (const weighed& w : near)
-    {
-        oneChannel =
-            oneChannel
-         && w.what.fault->channel() == best().what.fault->channel();
-    }
-    if (oneChannel)
-    {
-        found_.verdict =
-            best().what.fault->isRegistration()
-          ? "registration" : "sensor";
-        found_.names.append(best().what.fault->channel());
-        return;
-    }
-
-    const List<label> core(common(near));
-    if (core.size() && isSame(best().what.mechanisms, core))
-    {
-        found_.names = namesOf(core);
-        found_.verdict = "named";
-        return;
-    }
-
-    callSet(near);
-}
-
-
-void Foam::misfit::diagnosis::callSet(List<weighed>& all)
+//- The simplest of these are the answer
+void callSet(const std::vector<weighed>& all, finding& f)
 {
     // One that adds to another of the set says nothing more
-    all = simplest(all);
-    found_.verdict = "set";
-    found_.names.clear();
-    for (const weighed& w : all)
-    {
-        // As where one is named, names are of mechanisms and faults
-        found_.names.append(word(told(w.what.known(), mechanismNames()), false));
-    }
-    set_ = all;
+    f.alternatives = simplest(all);
+    f.verdict = verdictKind::set;
 }
 
 
-void Foam::misfit::diagnosis::weaken(List<weighed>& near)
+//- Chooses the verdict among the rivals
+void judge(const study& s, const std::vector<weighed>& near, finding& f)
 {
-    if (found_.verdict == "named")
+    for (const weighed& w : near)
     {
-        near = List<weighed>(1, best());
-        List<weighed> all(near);
-        for (const Tuple2<word, weighed>& without : winners_)
+        if (w.what.isOnlyUnknown())
         {
-            all.append(without.second());
+            f.verdict = verdictKind::unknown;
+            return;
+        }
+    }
+    const hypothesis& best = f.best().what;
+    if (blameOneChannel(near, best))
+    {
+        f.verdict =
+            best.fault->isRegistration()
+          ? verdictKind::registration : verdictKind::sensor;
+        f.names = wordList(1, word(best.fault->channel));
+        return;
+    }
+    const std::vector<int> core(common(near));
+    if (core.size() && isSame(best.mechanisms, core))
+    {
+        f.names = s.namesOf(core);
+        f.verdict = verdictKind::named;
+        return;
+    }
+    callSet(near, f);
+}
+
+
+//- Only what does not hang on one channel
+void weaken(const study& s, std::vector<weighed> near, finding& f)
+{
+    if (f.verdict == verdictKind::named)
+    {
+        near = std::vector<weighed>(1, f.best());
+        std::vector<weighed> all(near);
+        for (const winner& without : f.winners)
+        {
+            all.push_back(without.what);
         }
 
         // What wins without a channel, too, has some of it: that much is sure
-        const List<label> sure(common(all));
+        const std::vector<int> sure(common(all));
         if (sure.size())
         {
-            found_.names = namesOf(sure);
-            partly_ = true;
+            f.names = s.namesOf(sure);
+            f.partly = true;
             return;
         }
-        weakened_ = true;
+        f.weakened = true;
     }
     near = simplest(near);
-    for (const Tuple2<word, weighed>& without : winners_)
+    for (const winner& without : f.winners)
     {
-        const weighed& w = without.second();
         // What all data support does not give way to what wins on fewer
-        bool another = !isAmong(near, w);
+        const hypothesis& h = without.what.what;
+        bool another = !isAmong(near, without.what);
         for (const weighed& n : near)
         {
-            another =
-                another && !n.what.extends(w.what) && !w.what.extends(n.what);
+            another = another && !n.what.extends(h) && !h.extends(n.what);
         }
         if (another)
         {
-            near.append(w);
+            near.push_back(without.what);
         }
     }
-    callSet(near);
+    callSet(near, f);
 }
 
 
-bool Foam::misfit::diagnosis::answers() const
+//- False if what was held out does not agree with nothing being wrong
+bool confirmsNone(const finding& f)
 {
-    return
-        passed("computed") && passed("adequacy") && passed("heldOut")
-     && passed("harm") && passed("transfer") && passed("alone")
-     && passed("placebo");
-}
-
-
-bool Foam::misfit::diagnosis::confirmsNone() const
-{
-    for (const heldOut& h : found_.held)
+    for (const heldOut& h : f.held)
     {
-        if (h.use == purpose::gate && h.squareBefore >= limitOfNothing(h))
+        if (h.use == purpose::gate && h.squareBefore >= h.limitOfNothing)
         {
             return false;
         }
@@ -248,134 +162,75 @@ bool Foam::misfit::diagnosis::confirmsNone() const
 
     // Where the fitted channels agree, an experiment in which the solver fails
     // confirms nothing
-    return passed("detection") || passed("computed");
+    return
+        f.gates.passed(gateKind::detection)
+     || f.gates.passed(gateKind::computed);
 }
 
 
-Foam::wordList Foam::misfit::diagnosis::failedGates() const
+//- Sets verdict and names; returns those that it was chosen among
+std::vector<weighed> choose(const study& s, finding& f)
 {
-    wordList failed;
-    for (const gate& g : found_.gates)
+    std::vector<weighed> near;
+    const gateList& gates = f.gates;
+    if (gates.passed(gateKind::detection) && gates.passed(gateKind::evidence))
     {
-        // No misfit beyond chance is no failure
-        if
+        near = f.rivals;
+        judge(s, near, f);
+        if (!gates.allowAnswer())
+        {
+            f.verdict = verdictKind::unknown;
+        }
+        else if
         (
-            g.applies && !g.passed && g.name != "detection"
-         && !failed.found(g.name)
+            f.verdict != verdictKind::unknown
+         && !gates.passed(gateKind::stability)
         )
         {
-            failed.append(g.name);
+            weaken(s, near, f);
         }
     }
-    return failed;
-}
-
-
-bool Foam::misfit::diagnosis::wasTried() const
-{
-    for (const gate& g : found_.gates)
+    if (f.verdict == verdictKind::none && !confirmsNone(f))
     {
-        if ((g.name == "heldOut" || g.name == "transfer") && g.applies)
-        {
-            return true;
-        }
+        f.verdict = verdictKind::unknown;
     }
-    return false;
-}
-
-
-bool Foam::misfit::diagnosis::isUnproved() const
-{
-    return
-        found_.verdict == "unknown" && passed("evidence") && answers()
-     && !best().what.isOnlyUnknown();
-}
-
-
-void Foam::misfit::diagnosis::decide()
-{
-    setProbabilities(found_.explanations, settings_.temperature);
-    setPosterior();
-    const List<weighed> near(choose());
-
-    const bool changed = found_.verdict != "none" && found_.verdict != "unknown";
-    found_.before = baseline().best.f;
-    found_.after = changed ? best().best.f : found_.before;
-    if (changed)
+    if (f.verdict == verdictKind::unknown)
     {
-        setStrengths();
-    }
-    if (found_.verdict == "named")
-    {
-        found_.answer.append(namedState());
-    }
-    if (found_.verdict == "set")
-    {
-        weakened_ ? adviseToCheck() : advise(near);
-    }
-    if (found_.strengths.size() && !best().what.unknown)
-    {
-        locateNamed();
-    }
-    confide();
-    describe();
-}
-
-
-Foam::List<Foam::misfit::weighed> Foam::misfit::diagnosis::choose()
-{
-    found_.verdict = "none";
-    List<weighed> near;
-    if (passed("detection") && passed("evidence"))
-    {
-        near = rivals();
-        judge(near);
-        if (!answers())
-        {
-            found_.verdict = "unknown";
-        }
-        else if (found_.verdict != "unknown" && !passed("stability"))
-        {
-            weaken(near);
-        }
-    }
-    if (found_.verdict == "none" && !confirmsNone())
-    {
-        found_.verdict = "unknown";
-    }
-    if (found_.verdict == "unknown")
-    {
-        found_.names.clear();
+        f.names.clear();
+        f.alternatives.clear();
     }
     return near;
 }
 
 
-void Foam::misfit::diagnosis::setStrengths()
+//- Of the mechanisms that are named
+void setStrengths(const study& s, finding& f)
 {
-    const fitted& with = best().best;
-    forAll(best().what.mechanisms, i)
+    const weighed& best = f.best();
+    for (label i = 0; i < count(best.what.mechanisms); ++i)
     {
-        const label k = bounds_.nParameters + i;
-        const word name(mechanismNames()[best().what.mechanisms[i]]);
-        if (!partly_ || found_.names.found(name))
+        const label k = s.bounds().nParameters + i;
+        const word& name = s.names()[best.what.mechanisms[i]];
+        if (!f.partly || f.names.found(name))
         {
-            found_.strengths.append
+            f.strengths.append
             ({
-                name, with.x[k], with.deviation(k), with.pinned[k]
+                name, best.best.x[k], best.best.deviation(k),
+                best.best.pinned[k]
             });
         }
     }
 }
 
 
-Foam::misfit::runState Foam::misfit::diagnosis::namedState() const
+//- The best fit with nothing on but what is named
+runState namedState(const study& s, const models& m, const finding& f)
 {
-    const hypothesisModel model(fit_->surface(), bounds_, best().what);
-    runState named(state(model.expand(best().best.x)));
+    const weighed& best = f.best();
+    runState named(s.state(m.fit->model(best.what).expand(best.best.x)));
     for (const word& name : named.strengths.toc())
     {
-        if (!found_.names.found(name))
+        if (!f.names.found(name))
         {
             named.strengths.erase(name);
         }
@@ -384,18 +239,67 @@ Foam::misfit::runState Foam::misfit::diagnosis::namedState() const
 }
 
 
-bool Foam::misfit::diagnosis::isAmong
-(
-    const List<weighed>& list,
-    const weighed& w
-) const
+void setPosterior(finding& f)
 {
-    const wordList names(mechanismNames());
-    const string name(told(w.what, names));
-    return std::any_of
+    for (const weighed& w : f.explained.all())
+    {
+        f.posterior.push_back({w.what, w.probability});
+    }
+    std::stable_sort
     (
-        list.begin(),
-        list.end(),
-        [&](const weighed& other) { return told(other.what, names) == name; }
+        f.posterior.begin(),
+        f.posterior.end(),
+        [](const auto& a, const auto& b) { return a.second > b.second; }
     );
+}
+
+} // End anonymous namespace
+
+
+bool Foam::misfit::finding::hasAllThatIsNamed(const hypothesis& h) const
+{
+    label n = 0;
+    for (const int m : h.mechanisms)
+    {
+        n += names.found(library[m]);
+    }
+    return n && n == names.size();
+}
+
+
+void Foam::misfit::decide(const study& s, const models& m, finding& f)
+{
+    Info<< "Verdict" << endl;
+    const settings& set = s.set();
+    statistics::setProbabilities(f.explained.all(), set.temperature);
+    setPosterior(f);
+    f.rivals = f.explained.rivals(set);
+    const std::vector<weighed> near(choose(s, f));
+
+    const bool changed =
+        f.verdict != verdictKind::none && f.verdict != verdictKind::unknown;
+    f.before = f.explained.baseline().best.f;
+    f.after = changed ? f.best().best.f : f.before;
+    if (changed)
+    {
+        setStrengths(s, f);
+    }
+    if (f.verdict == verdictKind::named)
+    {
+        f.answer.append(namedState(s, m, f));
+    }
+    if (f.verdict == verdictKind::set && f.weakened)
+    {
+        f.measure.what = advice::kind::check;
+    }
+    else if (f.verdict == verdictKind::set)
+    {
+        f.measure = measurementBetween(s, m, f.explained, near);
+    }
+    if (f.strengths.size() && !f.best().what.unknown)
+    {
+        const std::vector<place> named(locateNamed(s, m, f));
+        f.located = named.size() ? named : f.located;
+    }
+    setConfidence(set, f);
 }

@@ -154,7 +154,7 @@ void writeMap
         most = 1;
     }
 
-    forAll(data.segments, k)
+    for (label k = 0; k < count(data.segments); ++k)
     {
         const segment& s = data.segments[k];
         for (label i = 0; i < s.size; ++i)
@@ -238,7 +238,10 @@ Foam::List<Foam::fileName> Foam::misfit::drawFigures
     mkDir(folder);
     const bool found =
         f.correction.after.size()
-     || (f.verdict != "none" && f.verdict != "unknown");
+     || (
+            f.verdict != verdictKind::none
+         && f.verdict != verdictKind::unknown
+        );
     List<std::string> names;
     const auto script = [&](const std::string& name, const std::string& text)
     {
@@ -271,7 +274,7 @@ Foam::List<Foam::fileName> Foam::misfit::drawFigures
     addRows(f.data, "");
     for (const heldOut& h : f.held)
     {
-        if (h.what.find("channels") != string::npos)
+        if (h.isHere() || h.what == heldOut::part::scoredElsewhere)
         {
             writeMap(map, h.data, h.sigma, h.before, h.after, row);
             addRows

@@ -4,6 +4,7 @@
 #include "html.H"
 #include "report.H"
 #include "reportTop.H"
+#include "words.H"
 
 #include <sstream>
 
@@ -24,16 +25,16 @@ std::string where(const finding& f)
     }
     // Where mechanisms are named, what they change counts too
     text +=
-        f.strengths.size() && !f.explanations.first().what.unknown
+        f.strengths.size() && !f.best().what.unknown
       ? "<p>Where what was found acts, the clearest first; the sizes are those of"
         " the calibrated simulation against the recording:</p>\n<ol>\n"
       : "<p>Calibrated simulation against recording, the clearest first:"
         "</p>\n<ol>\n";
-    forAll(f.located, i)
+    for (label i = 0; i < count(f.located); ++i)
     {
         if (i < 5)
         {
-            text += "<li>" + escaped(f.located[i]) + "</li>\n";
+            text += "<li>" + escaped(told(f.located[i], f.data)) + "</li>\n";
         }
     }
     return text + "</ol>\n";
@@ -52,8 +53,8 @@ std::string within(const scalar value, const scalar deviation, const bool pinned
 std::string calibration(const finding& f)
 {
     std::vector<row> rows;
-    const bool changed = f.names.size() && !f.correction.named;
-    const fitted& with = f.explanations.first().best;
+    const bool changed = answerOf(f).size() && !f.correction.named;
+    const fitted& with = f.best().best;
     forAll(f.parameters, i)
     {
         const calibrated& p = f.parameters[i];
@@ -100,7 +101,7 @@ std::string uncertain(const finding& f)
     row head{"channel", "whole"};
     for (const uncertaintySource& source : f.sources)
     {
-        head.push_back(source.first());
+        head.push_back(source.first);
     }
     std::vector<row> rows;
     for (const segment& s : f.data.segments)
@@ -108,7 +109,7 @@ std::string uncertain(const finding& f)
         row r{s.name + " " + unitOf(s.quantity), two(s.rootMeanSquare(f.sigma))};
         for (const uncertaintySource& source : f.sources)
         {
-            r.push_back(two(s.rootMeanSquare(source.second())));
+            r.push_back(two(s.rootMeanSquare(source.second)));
         }
         rows.push_back(r);
     }
@@ -122,11 +123,11 @@ std::string uncertain(const finding& f)
 }
 
 
-std::string explanations(const finding& f, const wordList& names)
+std::string weighedTold(const finding& f, const wordList& names)
 {
     std::vector<row> rows;
-    const std::string answer = told(f.explanations.first().what, names);
-    List<weighed> list(f.explanations);
+    const std::string answer = told(f.best().what, names);
+    std::vector<weighed> list(f.explained.all());
     sortByScore(list);
 
     // The same fault may be there with several sizes
@@ -139,7 +140,7 @@ std::string explanations(const finding& f, const wordList& names)
             rows.push_back
             ({
                 name + (name == answer && !judged ? " (judged below)" : ""),
-                number(w.score - list.first().score),
+                number(w.score - list.front().score),
                 percent(w.probability)
             });
             judged = judged || name == answer;
@@ -147,7 +148,7 @@ std::string explanations(const finding& f, const wordList& names)
     }
     return
         "<h2>Explanations that were weighed</h2>\n<p>"
-      + std::to_string(f.explanations.size()) + " were fitted in the same way."
+      + std::to_string(f.explained.all().size()) + " were fitted in the same way."
         " The score behind the best counts misfit, and each further unknown"
         " against it; 6 behind is 20 times less likely.</p>\n"
       + table({"explanation", "score behind the best", "probability"}, rows);
@@ -159,7 +160,7 @@ std::string notAsked(const misfit::gate& g, const hypothesis& judged)
 {
     return
         judged.isOnlyUnknown() ? "not asked: nothing that is known is judged"
-      : g.name == "adequacy" && judged.unknown
+      : g.kind == gateKind::adequacy && judged.unknown
       ? "not asked: the answer has something unknown, which takes up what is left"
       : "nothing to ask";
 }
@@ -170,12 +171,14 @@ std::string gates(const finding& f)
     std::vector<row> rows;
     for (const misfit::gate& g : f.gates)
     {
+        const gateWords words(told(g, f));
         rows.push_back
         ({
-            g.name, g.asked, g.applies ? g.value : "", g.applies ? g.bound : "",
-            !g.applies ? notAsked(g, f.explanations.first().what)
+            gateNames[g.kind], words.asked, g.applies ? words.value : string(),
+            g.applies ? words.bound : string(),
+            !g.applies ? notAsked(g, f.best().what)
           : g.passed ? "passed"
-          : g.name == "detection" ? "no misfit beyond chance" : "failed"
+          : g.kind == gateKind::detection ? "no misfit beyond chance" : "failed"
         });
     }
     return
@@ -222,24 +225,24 @@ std::string freeCorrection(const correctionFound& c)
     std::string text
     (
         "<h2>A free correction</h2>\n<p>No candidate explains what is missing, so"
-        " a correction without a mechanism was fitted: " + escaped(c.told)
+        " a correction without a mechanism was fitted: " + escaped(told(c))
       + " It gains " + shortNumber(c.gain) + " in score.</p>\n"
     );
     std::vector<row> rows;
-    for (const correctionFound::part& p : c.parts)
+    for (const freeElement& p : c.elements)
     {
         rows.push_back
         ({
-            p.words, shortNumber(p.value) + " +- " + shortNumber(2*p.deviation)
+            told(p.element, p.value), shortNumber(p.value) + " +- " + shortNumber(2*p.deviation)
         });
     }
     text += rows.empty() ? "" : table({"what it acts like", "value (95 %)"}, rows);
     rows.clear();
-    for (const correctionFound::law& l : c.laws)
+    for (const fittedLaw& l : c.laws)
     {
         if (rows.size() < 5)
         {
-            rows.push_back({l.words, shortNumber(l.lead)});
+            rows.push_back({told(l), shortNumber(l.lead)});
         }
     }
     text +=
@@ -250,7 +253,7 @@ std::string freeCorrection(const correctionFound& c)
     {
         rows.push_back
         ({
-            h.what + " (" + channels(h) + ")", number(h.squareBefore),
+            told(h) + " (" + channels(h) + ")", number(h.squareBefore),
             number(h.squareAfter), percent(removed(h))
         });
     }
@@ -264,9 +267,9 @@ std::string freeCorrection(const correctionFound& c)
 std::string dropped(const finding& f)
 {
     std::vector<row> rows;
-    for (const auto& d : f.dropped)
+    for (const droppedCandidate& d : f.dropped)
     {
-        rows.push_back({d.first(), d.second()});
+        rows.push_back({d.name, told(d)});
     }
     return
         rows.empty() ? std::string()
@@ -280,18 +283,19 @@ std::string rest(const finding& f)
     if (f.failedRuns.size())
     {
         std::vector<row> rows;
-        for (const string& run : f.failedRuns)
+        for (const failedRun& run : f.failedRuns)
         {
-            rows.push_back({run});
+            rows.push_back({told(run)});
         }
         text +=
             "<h2>Runs that failed</h2>\n<p>They are not in what is uncertain, or in"
             " the effect of a parameter.</p>\n" + table({"run, and why"}, rows);
     }
-    if (f.advice.size())
+    const string advice(adviceOf(f));
+    if (advice.size())
     {
         text +=
-            "<h2>What would settle it</h2>\n<p>" + escaped(f.advice)
+            "<h2>What would settle it</h2>\n<p>" + escaped(advice)
           + ".</p>\n";
     }
     return text;
@@ -314,7 +318,7 @@ std::string caption(const finding& f, const fileName& file)
     }
     const heldOut& h = f.held[std::stoi(name.substr(7)) - 1];
     return
-        "Not used to find it: " + h.what + ". Mean square of the misfit "
+        "Not used to find it: " + told(h) + ". Mean square of the misfit "
       + number(h.squareBefore)
       + (h.squareBefore == h.squareAfter ? std::string()
           : " before, " + number(h.squareAfter) + " after")
@@ -341,7 +345,7 @@ std::string Foam::misfit::reportHtml
     return
         reportTop(f, from) + "<h2>Before and after</h2>\n" + series
       + where(f) + map + freeCorrection(f.correction) + candidatesTold(f, from)
-      + explanations(f, f.library) + dropped(f) + gates(f) + apart(f) + rest(f)
+      + weighedTold(f, f.library) + dropped(f) + gates(f) + apart(f) + rest(f)
       + calibration(f) + uncertain(f) + glossary()
       + "<p>States asked for: " + std::to_string(f.nRuns)
       + ". The same in numbers: verdict.json.</p>\n</body></html>\n";

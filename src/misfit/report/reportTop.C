@@ -3,6 +3,7 @@
 
 #include "reportTop.H"
 #include "html.H"
+#include "words.H"
 
 #include "clock.H"
 #include "HashSet.H"
@@ -19,8 +20,8 @@ using namespace Foam::misfit::html;
 //- The names in the answer, or of what explains it best
 std::string answered(const finding& f)
 {
-    std::string names(told(f.explanations.first().what, f.library));
-    for (const word& name : f.names)
+    std::string names(told(f.best().what, f.library));
+    for (const word& name : answerOf(f))
     {
         names += ' ' + name;
     }
@@ -51,17 +52,26 @@ bool has(const std::string& names, const std::string& name)
 //- What the confidence is the confidence of
 std::string sureThat(const finding& f)
 {
-    return
-        f.verdict == "none"
-      ? "that nothing missing and no fault is needed to explain the recordings"
-      : f.blamesChannel() ? "that the fault is at " + f.names[0]
-      : f.verdict == "set" ? "that one of these is at least part of what is wrong"
-      : f.verdict == "unknown"
-      ? "that no candidate and no fault of one sensor explains it"
-      : f.correction.named ? "that what is missing follows this law"
-      : f.names.size() == 1
-      ? "that this is at least part of what is missing"
-      : "that these are at least part of what is missing";
+    switch (f.verdict)
+    {
+        case verdictKind::none:
+            return
+                "that nothing missing and no fault is needed to explain the"
+                " recordings";
+        case verdictKind::sensor:
+        case verdictKind::registration:
+            return "that the fault is at " + f.names[0];
+        case verdictKind::set:
+            return "that one of these is at least part of what is wrong";
+        case verdictKind::unknown:
+            return "that no candidate and no fault of one sensor explains it";
+        default:
+            return
+                f.correction.named ? "that what is missing follows this law"
+              : f.names.size() == 1
+              ? "that this is at least part of what is missing"
+              : "that these are at least part of what is missing";
+    }
 }
 
 
@@ -93,7 +103,7 @@ std::string heldOutTold(const finding& f)
         if (f.strengths.size() || faultIsShown)
         {
             text +=
-                "<br>At " + escaped(h.what + " (" + channels(h) + ")")
+                "<br>At " + escaped(told(h) + " (" + channels(h) + ")")
               + ", not used to find it, " + gone(h)
               + " (mean square over what is uncertain: from "
               + number(h.squareBefore) + " to " + number(h.squareAfter) + ").";
@@ -107,12 +117,12 @@ std::string heldOutTold(const finding& f)
 std::string droppedTold(const finding& f)
 {
     std::string text;
-    for (const auto& d : f.dropped)
+    for (const droppedCandidate& d : f.dropped)
     {
-        const std::string why(d.second());
+        const std::string why(told(d));
         text +=
             (text.empty() ? "<br>Not weighed: " : ", ")
-          + escaped(d.first() + " (" + why.substr(0, why.find(':')) + ')');
+          + escaped(d.name + " (" + why.substr(0, why.find(':')) + ')');
     }
     return text.empty() ? text : text + '.';
 }
@@ -122,8 +132,8 @@ std::string answer(const finding& f, const origin& from)
 {
     std::string text
     (
-        "<div class=\"verdict\"><b>" + escaped(f.verdict) + ".</b> "
-      + escaped(f.told)
+        "<div class=\"verdict\"><b>" + verdictNames[f.verdict] + ".</b> "
+      + escaped(told(f))
     );
     for (const candidate& c : from.candidates)
     {

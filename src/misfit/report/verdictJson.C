@@ -2,6 +2,7 @@
 // verdict.json: the record of a diagnosis.
 
 #include "report.H"
+#include "words.H"
 #include "textFile.H"
 
 #include <cmath>
@@ -50,12 +51,13 @@ json gates(const finding& f)
     json all = json::array();
     for (const misfit::gate& g : f.gates)
     {
+        const gateWords words(told(g, f));
         all.push_back
         ({
-            {"name", g.name},
-            {"asked", g.asked},
-            {"value", g.value},
-            {"bound", g.bound},
+            {"name", gateNames[g.kind]},
+            {"asked", words.asked},
+            {"value", words.value},
+            {"bound", words.bound},
             {"result", g.applies ? g.passed ? "passed" : "failed" : "none"}
         });
     }
@@ -66,7 +68,7 @@ json gates(const finding& f)
 json parameters(const finding& f)
 {
     json all = json::array();
-    const fitted& with = f.explanations.first().best;
+    const fitted& with = f.best().best;
     forAll(f.parameters, i)
     {
         const calibrated& p = f.parameters[i];
@@ -79,7 +81,7 @@ json parameters(const finding& f)
             {"deviation", deviation(p.deviation, p.pinned)},
             {"atBound", p.pinned}
         });
-        if (f.names.size() && !f.correction.named)
+        if (answerOf(f).size() && !f.correction.named)
         {
             all.back()["valueWithFinding"] = with.x[i];
             all.back()["deviationWithFinding"] =
@@ -93,12 +95,12 @@ json parameters(const finding& f)
 //- The fault that is given as the answer, with its size in SI units
 json fault(const finding& f)
 {
-    const hypothesis& what = f.explanations.first().what;
+    const hypothesis& what = f.best().what;
     if (!f.blamesChannel() || !what.fault)
     {
         return nullptr;
     }
-    const fitted& best = f.explanations.first().best;
+    const fitted& best = f.best().best;
     const label n = what.fault->size();
     json deviations = json::array();
     for (label i = best.x.size() - n; i < best.x.size(); ++i)
@@ -107,8 +109,8 @@ json fault(const finding& f)
     }
     return
     {
-        {"channel", what.fault->channel()},
-        {"kind", what.fault->kind()},
+        {"channel", what.fault->channel},
+        {"kind", kindOf(*what.fault)},
         {"values", numbers(best.x.tail(n))},
         {"deviations", deviations}
     };
@@ -135,9 +137,9 @@ json strengths(const finding& f)
 json located(const finding& f)
 {
     json all = json::array();
-    for (label i = 0; i < f.located.size(); ++i)
+    for (const place& p : f.located)
     {
-        const window& w = f.detection.windows[i];
+        const window& w = p.where;
         const segment& s = f.data.segments[w.segment];
         all.push_back
         ({
@@ -146,7 +148,7 @@ json located(const finding& f)
             {"to", s.x[w.end - 1] + 0.5*s.span},
             {"sigma", w.size},
             {"phase", phaseOf(s, f.data.y, w)},
-            {"words", f.located[i]}
+            {"words", told(p, f.data)}
         });
     }
     return all;
@@ -160,7 +162,7 @@ json heldOuts(const List<heldOut>& held)
     {
         all.push_back
         ({
-            {"what", h.what},
+            {"what", told(h)},
             {"use", purposeNames[h.use]},
             {"meanSquareBefore", h.squareBefore},
             {"meanSquareAfter", h.squareAfter}
@@ -178,30 +180,30 @@ json freeCorrection(const correctionFound& c)
         return nullptr;
     }
     json parts = json::array();
-    for (const correctionFound::part& p : c.parts)
+    for (const freeElement& p : c.elements)
     {
         parts.push_back
         ({
-            {"name", p.name},
-            {"words", p.words},
+            {"name", p.element.name},
+            {"words", told(p.element, p.value)},
             {"value", p.value},
             {"deviation", p.deviation}
         });
     }
     json laws = json::array();
-    for (const correctionFound::law& l : c.laws)
+    for (const fittedLaw& l : c.laws)
     {
         laws.push_back
         ({
-            {"family", l.family},
-            {"groups", list(l.groups)},
-            {"words", l.words},
+            {"family", l.law.family},
+            {"groups", list(l.law.groups)},
+            {"words", told(l)},
             {"lead", l.lead}
         });
     }
     return
     {
-        {"words", c.told},
+        {"words", told(c)},
         {"gain", c.gain},
         {"elements", parts},
         {"laws", laws},
@@ -223,7 +225,7 @@ json uncertainty(const finding& f)
         all[s.name]["whole"] = s.rootMeanSquare(f.sigma);
         for (const uncertaintySource& source : f.sources)
         {
-            all[s.name][source.first()] = s.rootMeanSquare(source.second());
+            all[s.name][source.first] = s.rootMeanSquare(source.second);
         }
     }
     return all;
@@ -235,12 +237,12 @@ json posterior(const finding& f)
     json all = json::array();
     for (const auto& p : f.posterior)
     {
-        if (p.second() > 1e-4)
+        if (p.second > 1e-4)
         {
             all.push_back
             ({
-                {"explanation", p.first()},
-                {"probability", p.second()}
+                {"explanation", told(p.first, f.library)},
+                {"probability", p.second}
             });
         }
     }
@@ -251,9 +253,9 @@ json posterior(const finding& f)
 json failedRuns(const finding& f)
 {
     json all = json::array();
-    for (const string& run : f.failedRuns)
+    for (const failedRun& run : f.failedRuns)
     {
-        all.push_back(run);
+        all.push_back(told(run));
     }
     return all;
 }
@@ -262,9 +264,9 @@ json failedRuns(const finding& f)
 json dropped(const finding& f)
 {
     json all = json::array();
-    for (const auto& d : f.dropped)
+    for (const droppedCandidate& d : f.dropped)
     {
-        all.push_back({{"name", d.first()}, {"why", d.second()}});
+        all.push_back({{"name", d.name}, {"why", told(d)}});
     }
     return all;
 }
@@ -296,9 +298,9 @@ std::string Foam::misfit::verdictJson(const finding& f, const string& title)
     return json
     ({
         {"case", title},
-        {"verdict", f.verdict},
-        {"names", list(f.names)},
-        {"words", f.told},
+        {"verdict", verdictNames[f.verdict]},
+        {"names", list(answerOf(f))},
+        {"words", told(f)},
         {"confidence", std::round(1000*f.confidence)/1000},
         {"strengths", strengths(f)},
         {"fault", fault(f)},
@@ -314,7 +316,7 @@ std::string Foam::misfit::verdictJson(const finding& f, const string& title)
         {"failedRuns", failedRuns(f)},
         {"correctedCase", f.answer.size() ? json(correctedCase) : json(nullptr)},
         {"apart", apart(f)},
-        {"advice", f.advice},
+        {"advice", adviceOf(f)},
         {"statesAskedFor", f.nRuns}
     }).dump(2) + '\n';
 }

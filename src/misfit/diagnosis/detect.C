@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Calibration, and whether, where and when recording and simulation still part.
+
+#include "detect.H"
+#include "designs.H"
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+//- Numbers of the candidates that were on in some runs, and in none that ended
+std::vector<int> alwaysFailing
+(
+    const study& s,
+    const std::vector<vec>& design,
+    const stringList& failures
+)
+{
+    std::vector<int> never;
+    forAll(s.names(), m)
+    {
+        label asked = 0;
+        label ran = 0;
+        for (label i = 0; i < count(design); ++i)
+        {
+            const bool on = design[i][s.bounds().nParameters + m] > 0;
+            asked += on;
+            ran += on && failures[i].empty();
+        }
+        if (asked && !ran)
+        {
+            never.push_back(m);
+        }
+    }
+    return never;
+}
+
+
+//- What candidates, as far as they were run, and sensor faults would change in the
+//  fitted samples: a column for each
+mat shapes(const study& s, const sampledModel& fit, const weighed& base)
+{
+    mat all(fit.size(), 0);
+    const auto add = [&all](const vec& change)
+    {
+        if (change.norm() > SMALL)
+        {
+            appendColumn(all, change);
+        }
+    };
+
+    const vec at = fit.model(base.what).expand(base.best.x);
+    forAll(s.set().candidates, i)
+    {
+        // A weak effect may look otherwise than a strong one, as one that delays
+        const candidate& c = s.set().candidates[i];
+        for (const scalar strength : {c.weak, c.strong})
+        {
+            vec with = at;
+            with[s.bounds().nParameters + i] = strength;
+            add(fit.surface()(with) - fit.surface()(at));
+        }
+    }
+    for (const sensorFault& fault : possibleFaults(fit.data(), s.set().faults))
+    {
+        if (fault.size() == 1)
+        {
+            add(fault(fit.data(), base.best.f, fault.slight) - base.best.f);
+        }
+    }
+    return all;
+}
+
+
+std::vector<place> placed
+(
+    const std::vector<window>& windows,
+    const stacked& data,
+    const vec& misfit
+)
+{
+    std::vector<place> places;
+    for (const window& w : windows)
+    {
+        const label first = data.segments[w.segment].first + w.begin;
+        places.push_back
+        ({
+            w, misfit.segment(first, w.end - w.begin).mean()
+        });
+    }
+    return places;
+}
+
+} // End anonymous namespace
+
+
+std::vector<int> Foam::misfit::addCalibrationRuns(study& s, models& m)
+{
+    Info<< "Calibration" << endl;
+    std::vector<vec> design
+    (
+        s.set().bank ? bankDesign(s) : parameterDesign(s)
+    );
+    if (s.bank().size())
+    {
+        design.clear();
+        for (const runState& state : s.bank())
+        {
+            design.push_back(s.variables(state));
+        }
+    }
+    const stringList failures(addRuns(s, m, design));
+    forAll(failures, i)
+    {
+        if (failures[i].size())
+        {
+            s.leaveOut(s.state(design[i]), failures[i]);
+        }
+    }
+    m.build(s);
+    return alwaysFailing(s, design, failures);
+}
+
+
+Foam::misfit::scanned Foam::misfit::look
+(
+    const study& s,
+    const sampledModel& m,
+    const weighed& w,
+    const mat& shapes
+)
+{
+    const hypothesisModel model(m.model(w.what));
+    const mat slopes = model.slopes(w.best.x);
+    const vec deviation = model.deviation();
+    const vec fromMean = deviation.unaryExpr
+    (
+        [](const scalar d) { return d > 0 ? 1.0 : 0.0; }
+    ).cwiseProduct(w.best.x - model.mean());
+    const whitener white
+    (
+        statistics::withFitted(w.covariance, slopes, deviation)
+    );
+    const statistics::scan scan
+    (
+        m.data(), white, s.set().draws, s.set().seed, shapes
+    );
+    return scan
+    (
+        m.data().y - w.best.f + slopes*fromMean,
+        s.set().significance
+    );
+}
+
+
+Foam::misfit::weighed Foam::misfit::detect
+(
+    const study& s,
+    const models& m,
+    finding& f
+)
+{
+    Info<< "Detection" << endl;
+    const settings& set = s.set();
+    const stacked& data = m.fit->data();
+    const vec atMean = m.fit->surface()(s.bounds().mean);
+    const whitener white(m.fit->uncertainty().at(atMean));
+    const statistics::scan raw(data, white, set.draws, set.seed);
+    f.raw = raw(data.y - atMean, set.significance);
+
+    const weighed base(m.fit->weigh(set.formulaTolerance).base());
+    forAll(set.parameters, i)
+    {
+        const parameter& p = set.parameters[i];
+        f.parameters.append
+        ({
+            p.name, p.mean, p.deviation, base.best.x[i],
+            base.best.deviation(i), base.best.pinned[i]
+        });
+    }
+    f.detection = look(s, *m.fit, base, shapes(s, *m.fit, base));
+
+    const vec misfit = data.y - base.best.f;
+    std::vector<window> clear;
+    if (isDetected(s, f))
+    {
+        clear =
+            statistics::stretches(data, misfit, base.covariance, set.beyond);
+        if (clear.empty())
+        {
+            // Chance says no, yet no sample is far off: the strongest window
+            clear = f.detection.windows;
+            clear.resize(min(clear.size(), size_t(1)));
+        }
+    }
+    f.located = placed(clear, data, misfit);
+    f.data = data;
+    f.sigma = base.covariance.diagonal().cwiseSqrt();
+    f.sources = m.fit->uncertainty().sources(base.best.f);
+    return base;
+}
+
+
+bool Foam::misfit::isDetected(const study& s, const finding& f)
+{
+    return f.detection.p < s.set().significance;
+}
+
+
+std::vector<Foam::misfit::place> Foam::misfit::locateNamed
+(
+    const study& s,
+    const models& m,
+    const finding& f
+)
+{
+    // Half of what is left counts, too: nature's formula may be another one
+    const stacked& data = m.fit->data();
+    const vec explained =
+        0.5*(f.after - f.before) + 0.5*(data.y - f.before);
+    return placed
+    (
+        statistics::stretches
+        (
+            data,
+            explained,
+            f.explained.baseline().covariance,
+            s.set().beyond
+        ),
+        data,
+        explained
+    );
+}
+
+
+void Foam::misfit::addSensitivityRuns
+(
+    study& s,
+    models& m,
+    const weighed& base,
+    screened& candidates,
+    std::vector<int>& never
+)
+{
+    if (s.set().bank || s.bank().size())
+    {
+        return;
+    }
+    Info<< "Sensitivities of the mechanisms" << endl;
+    vec at = s.bounds().mean;
+    at.head(s.bounds().nParameters) =
+        base.best.x.head(s.bounds().nParameters);
+    std::vector<vec> design(1, at);
+    for (const vec& x : sensitivityDesign(s, at, candidates.left))
+    {
+        design.push_back(x);
+    }
+    const stringList failures(addRuns(s, m, design));
+
+    std::vector<int> left;
+    for (label i = 0; i < count(candidates.left); ++i)
+    {
+        const int mechanism = candidates.left[i];
+        const string& weak = failures[1 + 2*i];
+        const string& strong = failures[2 + 2*i];
+        if (weak.empty() || strong.empty())
+        {
+            left.push_back(mechanism);
+        }
+        else
+        {
+            never.push_back(mechanism);
+            candidates.dropped.append
+            ({
+                s.names()[mechanism], droppedCandidate::reason::failed, weak,
+                0, 0
+            });
+        }
+    }
+    candidates.left = left;
+    m.build(s);
+}

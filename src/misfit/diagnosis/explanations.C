@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The explanations that were weighed, and what the solver gave for them.
+
+#include "explanations.H"
+
+#include <algorithm>
+
+const Foam::misfit::weighed& Foam::misfit::explanations::baseline() const
+{
+    for (const weighed& w : all_)
+    {
+        if (w.what.isNone())
+        {
+            return w;
+        }
+    }
+    return all_.back();
+}
+
+
+Foam::scalar Foam::misfit::explanations::lowestScore() const
+{
+    scalar lowest = GREAT;
+    for (const weighed& w : all_)
+    {
+        lowest = min(lowest, w.score);
+    }
+    return lowest;
+}
+
+
+void Foam::misfit::explanations::sort()
+{
+    statistics::sortByScore(all_);
+}
+
+
+void Foam::misfit::explanations::putFirst(const hypothesis& h)
+{
+    for (weighed& w : all_)
+    {
+        if (w.what == h)
+        {
+            std::swap(w, all_.front());
+            return;
+        }
+    }
+}
+
+
+std::vector<Foam::misfit::weighed>
+Foam::misfit::explanations::rivals(const settings& set) const
+{
+    const scalar lowest = lowestScore();
+    hypothesis leader;
+    for (const weighed& w : all_)
+    {
+        if (w.score == lowest)
+        {
+            leader = w.what;
+        }
+    }
+    std::vector<weighed> near;
+    for (const weighed& w : all_)
+    {
+        // Another formula of the first is easily taken for a second mechanism
+        const bool isPart =
+            leader.mechanisms.size() > 1 && w.what.mechanisms.size()
+         && leader.contains(w.what);
+        if (w.score < lowest + (isPart ? set.pairGap : set.gap))
+        {
+            near.push_back(w);
+        }
+    }
+    return near;
+}
+
+
+const Foam::misfit::computed*
+Foam::misfit::explanations::find(const hypothesis& h) const
+{
+    for (const computed& c : computed_)
+    {
+        if (c.what == h)
+        {
+            return &c;
+        }
+    }
+    return nullptr;
+}
+
+
+Foam::misfit::computed Foam::misfit::explanations::lookUp
+(
+    const models& m,
+    const weighed& w
+) const
+{
+    if (const computed* found = find(w.what))
+    {
+        return *found;
+    }
+    computed c;
+    c.what = w.what;
+    c.variables = m.fit->model(w.what).expand(w.best.x);
+    c.given.fit = w.best.f;
+    if (m.gate->size())
+    {
+        c.given.gate = m.gate->surface()(c.variables);
+    }
+    return c;
+}
+
+
+void Foam::misfit::explanations::note(const computed& c)
+{
+    forget(c.what);
+    computed_.push_back(c);
+}
+
+
+void Foam::misfit::explanations::forget(const hypothesis& h)
+{
+    computed_.erase
+    (
+        std::remove_if
+        (
+            computed_.begin(),
+            computed_.end(),
+            [&h](const computed& c) { return c.what == h; }
+        ),
+        computed_.end()
+    );
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+std::vector<int> Foam::misfit::common(const std::vector<weighed>& list)
+{
+    std::vector<int> core(list.front().what.mechanisms);
+    for (const weighed& w : list)
+    {
+        std::vector<int> both;
+        for (const int m : core)
+        {
+            if (statistics::contains(w.what.mechanisms, m))
+            {
+                both.push_back(m);
+            }
+        }
+        core = both;
+    }
+    return core;
+}
+
+
+bool Foam::misfit::isAmong
+(
+    const std::vector<weighed>& list,
+    const weighed& w
+)
+{
+    return std::any_of
+    (
+        list.begin(),
+        list.end(),
+        [&w](const weighed& other) { return other.what == w.what; }
+    );
+}

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What these channels can tell apart, and what measurement would settle the rest.
+
+#include "verdict.H"
+
+void Foam::misfit::tellApart
+(
+    const study& s,
+    const sampledModel& fit,
+    const std::vector<int>& mechanisms,
+    finding& f
+)
+{
+    const weighed& base = f.explained.baseline();
+    const hypothesisModel model(fit.model(base.what));
+    const vec at = model.expand(base.best.x);
+    const whitener white
+    (
+        statistics::withFitted
+        (
+            base.covariance, model.slopes(base.best.x), model.deviation()
+        )
+    );
+
+    f.candidates = s.namesOf(mechanisms);
+    const label n = mechanisms.size();
+    mat effects(fit.size(), n);
+    for (label i = 0; i < n; ++i)
+    {
+        vec with = at;
+        with[s.bounds().nParameters + mechanisms[i]] =
+            s.set().candidates[mechanisms[i]].strong;
+        effects.col(i) = white(vec(fit.surface()(with) - fit.surface()(at)));
+    }
+
+    // What is left of one when the other, at any strength, imitates it
+    f.apart.resize(n, n);
+    for (label i = 0; i < n; ++i)
+    {
+        for (label j = 0; j < n; ++j)
+        {
+            const vec a = effects.col(i);
+            const vec b = effects.col(j);
+            const scalar share =
+                i == j ? 0 : max(a.dot(b), 0.0)/max(b.squaredNorm(), VSMALL);
+            f.apart(i, j) = (a - share*b).norm();
+        }
+    }
+}
+
+
+Foam::misfit::advice Foam::misfit::measurementBetween
+(
+    const study& s,
+    const models& m,
+    const explanations& e,
+    const std::vector<weighed>& rivals
+)
+{
+    advice result;
+    std::vector<computed> two;
+    for (const weighed& w : rivals)
+    {
+        if (two.size() < 2 && !w.what.isNone() && !w.what.isOnlyUnknown())
+        {
+            two.push_back(e.lookUp(m, w));
+        }
+    }
+    if (two.size() < 2)
+    {
+        return result;
+    }
+    const stacked& possible = s.data().possible;
+    for (const computed& c : two)
+    {
+        if (!c.given.possible.size() && possible.size())
+        {
+            result.what = advice::kind::notRun;
+            result.two = {c.what};
+            return result;
+        }
+    }
+
+    result.what = advice::kind::elsewhere;
+    result.two = {two[0].what, two[1].what};
+    const vec& a = two[0].given.possible;
+    const vec& b = two[1].given.possible;
+    if (a.size() != possible.size() || b.size() != a.size())
+    {
+        return result;
+    }
+    for (const segment& channel : possible.segments)
+    {
+        label i = 0;
+        const scalar times =
+            vec(channel.of(a) - channel.of(b)).cwiseAbs().maxCoeff(&i)
+           /channel.uncertainty;
+        if (times > result.times)
+        {
+            result.times = times;
+            result.channel = channel;
+            result.at = channel.x[i];
+        }
+    }
+    if (result.times > 2)
+    {
+        result.what = advice::kind::measure;
+    }
+    return result;
+}

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Free parameters chosen so that response surfaces meet their targets.
+
+#include "calibration.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+statistics::vec statistics::calibration::all(const vec& x) const
+{
+    vec result = fixed_;
+    for (int i = 0; i < count(open_); ++i)
+    {
+        result[open_[i]] = x[i];
+    }
+    return result;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+statistics::calibration::calibration
+(
+    const std::vector<freeParameter>& parameters,
+    const std::vector<calibrationTarget>& targets
+)
+:
+    parameters_(parameters),
+    targets_(targets),
+    fixed_(vec::Zero(parameters.size()))
+{
+    for (int i = 0; i < count(parameters); ++i)
+    {
+        if (parameters[i].levels.empty())
+        {
+            open_.push_back(i);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
+
+std::vector<statistics::vec> statistics::calibration::combinations() const
+{
+    std::vector<vec> result(1, fixed_);
+    for (int i = 0; i < count(parameters_); ++i)
+    {
+        std::vector<vec> next;
+        for (const vec& one : result)
+        {
+            for (const double level : parameters_[i].levels)
+            {
+                next.push_back(one);
+                next.back()[i] = level;
+            }
+        }
+        if (next.size())
+        {
+            result = next;
+        }
+    }
+    return result;
+}
+
+
+statistics::vec statistics::calibration::wanted() const
+{
+    vec result;
+    for (const calibrationTarget& target : targets_)
+    {
+        const vec before = result;
+        result.resize(before.size() + target.wanted.size());
+        result << before, target.wanted;
+    }
+    return result;
+}
+
+
+statistics::mat statistics::calibration::covariance() const
+{
+    vec deviations;
+    for (const calibrationTarget& target : targets_)
+    {
+        const vec before = deviations;
+        deviations.resize(before.size() + target.deviation.size());
+        deviations << before, target.deviation;
+    }
+    return deviations.cwiseAbs2().asDiagonal();
+}
+
+
+statistics::vec statistics::calibration::predicted
+(
+    const responseSurface& surface,
+    const vec& conditions,
+    const vec& parameters
+)
+{
+    vec variables(conditions.size() + parameters.size());
+    variables << conditions, parameters;
+    return surface(variables);
+}
+
+
+statistics::vec statistics::calibration::operator()(const vec& x) const
+{
+    vec result = wanted();
+    int first = 0;
+    for (const calibrationTarget& target : targets_)
+    {
+        const int n = target.wanted.size();
+        result.segment(first, n) =
+            predicted(*target.surface, target.conditions, all(x));
+        first += n;
+    }
+    return result;
+}
+
+
+statistics::mat statistics::calibration::slopes(const vec& x) const
+{
+    mat result(wanted().size(), open_.size());
+    int first = 0;
+    for (const calibrationTarget& target : targets_)
+    {
+        const int n = target.wanted.size();
+        const int nConditions = target.conditions.size();
+        vec variables(nConditions + parameters_.size());
+        variables << target.conditions, all(x);
+        const mat slopes = target.surface->slopes(variables);
+        for (int i = 0; i < count(open_); ++i)
+        {
+            result.col(i).segment(first, n) =
+                slopes.col(nConditions + open_[i]);
+        }
+        first += n;
+    }
+    return result;
+}
+
+
+statistics::vec statistics::calibration::lower() const
+{
+    vec result(open_.size());
+    for (int i = 0; i < count(open_); ++i)
+    {
+        result[i] = parameters_[open_[i]].lower;
+    }
+    return result;
+}
+
+
+statistics::vec statistics::calibration::upper() const
+{
+    vec result(open_.size());
+    for (int i = 0; i < count(open_); ++i)
+    {
+        result[i] = parameters_[open_[i]].upper;
+    }
+    return result;
+}
+
+
+std::vector<statistics::vec> statistics::calibration::starts() const
+{
+    std::vector<vec> result;
+    result.push_back(mean());
+    for (int corner = 0; corner < (1 << open_.size()); ++corner)
+    {
+        vec x = lower();
+        for (int i = 0; i < count(open_); ++i)
+        {
+            x[i] = corner & (1 << i) ? upper()[i] : x[i];
+        }
+        result.push_back(x);
+    }
+    return result;
+}
+
+
+statistics::fitted statistics::calibration::choose
+(
+    vec& all,
+    vec& deviations
+)
+{
+    const whitener white(covariance());
+    fitted best;
+    best.objective = large;
+
+    for (const vec& levels : combinations())
+    {
+        setLevels(levels);
+        const fitted one(fit(*this, wanted(), white));
+        if (one.objective < best.objective)
+        {
+            best = one;
+            all = this->all(one.x);
+        }
+    }
+
+    setLevels(all);
+    deviations = vec::Zero(all.size());
+    for (int i = 0; i < count(open_); ++i)
+    {
+        deviations[open_[i]] = best.deviation(i);
+    }
+    return best;
+}

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The observations as a quadratic function of parameters and strengths.
+
+#include "responseSurface.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+double statistics::responseSurface::value
+(
+    const std::pair<int, int>& term,
+    const vec& z
+) const
+{
+    return
+        (term.first < 0 ? 1 : z[term.first])
+       *(term.second < 0 ? 1 : z[term.second]);
+}
+
+
+statistics::mat statistics::responseSurface::design(const mat& z) const
+{
+    mat d(z.cols(), terms_.size());
+    for (int run = 0; run < z.cols(); ++run)
+    {
+        for (int t = 0; t < count(terms_); ++t)
+        {
+            d(run, t) = value(terms_[t], z.col(run));
+        }
+    }
+    return d;
+}
+
+
+void statistics::responseSurface::choose(const mat& z)
+{
+    const int n = z.rows();
+    std::vector<std::pair<int, int>> possible;
+    possible.push_back({-1, -1});
+    for (int i = 0; i < n; ++i)
+    {
+        possible.push_back({i, -1});
+    }
+    for (int i = 0; i < n; ++i)
+    {
+        possible.push_back({i, i});
+    }
+    const int pure = possible.size();
+    for (int i = 0; i < n; ++i)
+    {
+        for (int j = i + 1; j < n; ++j)
+        {
+            possible.push_back({i, j});
+        }
+    }
+
+    // Columns so far, made orthogonal
+    mat basis(z.cols(), 0);
+    for (int k = 0; k < count(possible); ++k)
+    {
+        const double share = k < pure ? 1 : 0.6;
+        if (terms_.size() >= share*z.cols())
+        {
+            break;
+        }
+        vec column(z.cols());
+        for (int run = 0; run < z.cols(); ++run)
+        {
+            column[run] = value(possible[k], z.col(run));
+        }
+        const double before = column.norm();
+        for (int pass = 0; pass < 2; ++pass)
+        {
+            column -= basis*(basis.transpose()*column);
+        }
+        if (column.norm() > 1e-3*std::max(before, small))
+        {
+            basis.conservativeResize(Eigen::NoChange, basis.cols() + 1);
+            basis.col(basis.cols() - 1) = column.normalized();
+            terms_.push_back(possible[k]);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+statistics::responseSurface::responseSurface
+(
+    const mat& variables,
+    const mat& samples,
+    const vec& centre,
+    const vec& width
+)
+:
+    centre_(centre),
+    width_(width),
+    shift_(vec::Zero(samples.rows())),
+    tilt_(mat::Zero(samples.rows(), centre.size()))
+{
+    const mat z =
+        width.cwiseInverse().asDiagonal()*(variables.colwise() - centre);
+    choose(z);
+
+    const mat d = design(z);
+    const Eigen::HouseholderQR<mat> qr(d);
+    coefficients_ = qr.solve(samples.transpose());
+
+    if (d.rows() > d.cols())
+    {
+        const mat q =
+            qr.householderQ()*mat::Identity(d.rows(), d.cols());
+        const vec leverage = q.rowwise().squaredNorm();
+        const mat errors = samples - coefficients_.transpose()*d.transpose();
+
+        // A run that alone fixes a term says nothing about the error
+        leftOut_.resize(samples.rows(), 0);
+        for (int run = 0; run < d.rows(); ++run)
+        {
+            if (leverage[run] < 0.95)
+            {
+                leftOut_.conservativeResize
+                (
+                    Eigen::NoChange, leftOut_.cols() + 1
+                );
+                leftOut_.col(leftOut_.cols() - 1) =
+                    errors.col(run)/(1 - leverage[run]);
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
+
+statistics::vec
+statistics::responseSurface::operator()(const vec& x) const
+{
+    const vec z = (x - centre_).cwiseQuotient(width_);
+    vec f = coefficients_.transpose()*design(z).transpose() + shift_;
+    if (at_.size())
+    {
+        f += tilt_*(z - at_);
+    }
+    return f;
+}
+
+
+statistics::mat statistics::responseSurface::slopes(const vec& x) const
+{
+    const vec z = (x - centre_).cwiseQuotient(width_);
+    mat inTerms = mat::Zero(terms_.size(), z.size());
+    for (int t = 0; t < count(terms_); ++t)
+    {
+        const int a = terms_[t].first;
+        const int b = terms_[t].second;
+        if (a >= 0)
+        {
+            inTerms(t, a) += (b < 0 ? 1 : z[b])/width_[a];
+        }
+        if (b >= 0)
+        {
+            inTerms(t, b) += z[a]/width_[b];
+        }
+    }
+    return
+        coefficients_.transpose()*inTerms
+      + tilt_*mat(width_.cwiseInverse().asDiagonal());
+}
+
+
+void statistics::responseSurface::passThrough
+(
+    const vec& x,
+    const vec& samples
+)
+{
+    const vec z = (x - centre_).cwiseQuotient(width_);
+    const vec error = samples - (*this)(x);
+    if (at_.size() && (z - at_).squaredNorm() > small)
+    {
+        const vec step = z - at_;
+        tilt_ += error*step.transpose()/step.squaredNorm();
+    }
+    at_ = z;
+    shift_ += samples - (*this)(x);
+}

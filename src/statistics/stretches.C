@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stretches of the channels in which recording and simulation part.
+
+#include "scan.H"
+
+#include <algorithm>
+
+std::vector<statistics::window> statistics::stretches
+(
+    const stacked& data,
+    const vec& misfit,
+    const mat& covariance,
+    const double level
+)
+{
+    const vec z =
+        misfit.cwiseQuotient(covariance.diagonal().cwiseSqrt());
+    std::vector<window> found;
+    const auto close = [&](const int segment, const int begin, const int end)
+    {
+        const int first = data.segments[segment].first + begin;
+        const int n = end - begin;
+        if (n == 1 && std::abs(z[first]) < 1.5*level)
+        {
+            return;
+        }
+        const double size =
+            misfit.segment(first, n).sum()
+           /std::sqrt(covariance.block(first, first, n, n).sum());
+        found.push_back({segment, begin, end, size});
+    };
+
+    for (int i = 0; i < count(data.segments); ++i)
+    {
+        const segment& s = data.segments[i];
+        int begin = -1;
+        int last = -1;
+        for (int k = 0; k <= s.size; ++k)
+        {
+            const double here = k < s.size ? z[s.first + k] : 0;
+            const bool beyond = std::abs(here) > level;
+            const bool turned =
+                beyond && begin >= 0 && here*z[s.first + last] < 0;
+            if (begin >= 0 && (turned || k > last + 2 || k == s.size))
+            {
+                close(i, begin, last + 1);
+                begin = -1;
+            }
+            if (beyond)
+            {
+                begin = begin < 0 ? k : begin;
+                last = k;
+            }
+        }
+    }
+    std::sort
+    (
+        found.begin(),
+        found.end(),
+        [](const window& a, const window& b) { return std::abs(a.size) > std::abs(b.size); }
+    );
+    return found;
+}

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Possible explanations of a misfit, fitted and weighed in one way: the weights.
+
+#include "hypothesis.H"
+
+#include <cmath>
+
+namespace
+{
+
+using namespace statistics;
+
+//- The sort that the number of hypotheses counts in
+int sortOf(const hypothesis& h)
+{
+    return h.fault ? 3 : h.unknown ? 4 : h.mechanisms.size();
+}
+
+
+//- Adds twice the logarithm of the number of hypotheses of its sort
+void addNumbers(std::vector<weighed>& list)
+{
+    std::vector<int> number(5, 0);
+    for (const weighed& w : list)
+    {
+        ++number[sortOf(w.what)];
+    }
+    for (weighed& w : list)
+    {
+        w.number = 2*std::log(double(number[sortOf(w.what)]));
+        w.score += w.number;
+    }
+}
+
+
+//- The covariance in the unit of the recording, if that is a larger one
+mat inItsUnit(const mat& covariance, const vec& noiseScales)
+{
+    return noiseScales.asDiagonal()*covariance*noiseScales.asDiagonal();
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+statistics::mat statistics::weighing::ownCovariance
+(
+    const hypothesis& h,
+    const vec& f
+) const
+{
+    if (!h.fault)
+    {
+        return covariance_.at(f);
+    }
+    const vec scales = h.fault->noiseScales(data_);
+    return inItsUnit(covariance_.at(f.cwiseQuotient(scales)), scales);
+}
+
+
+statistics::mat
+statistics::weighing::otherFormula(const weighed& w) const
+{
+    mat c = mat::Zero(data_.size(), data_.size());
+    const hypothesisModel model(this->model(w.what));
+    const vec all = model.expand(w.best.x);
+    for (const int m : w.what.mechanisms)
+    {
+        vec without = all;
+        without[bounds_.nParameters + m] = 0;
+        const vec effect = tolerance_*(surface_(all) - surface_(without));
+        for (const segment& s : data_.segments)
+        {
+            const vec part = s.of(effect);
+            c.block(s.first, s.first, s.size, s.size) += part*part.transpose();
+        }
+    }
+    return c;
+}
+
+
+statistics::mat statistics::weighing::unknownShape
+(
+    const double amplitude,
+    const double length
+) const
+{
+    mat k = mat::Zero(data_.size(), data_.size());
+    for (const segment& s : data_.segments)
+    {
+        const double size = amplitude*s.range(data_.y);
+        for (int i = 0; i < s.size; ++i)
+        {
+            for (int j = 0; j < s.size; ++j)
+            {
+                const double d = (s.x[i] - s.x[j])/(length*s.duration());
+                k(s.first + i, s.first + j) =
+                    sqr(size)*std::exp(-std::min(0.5*d*d, 700.0));
+            }
+        }
+    }
+    return k;
+}
+
+
+statistics::weighed
+statistics::weighing::weighUnknown(const weighed& base) const
+{
+    hypothesis h(base.what);
+    h.unknown = true;
+    weighed best;
+    for (const double length : {0.03, 0.1, 0.3})
+    {
+        for (double amplitude = 0.01; amplitude < 1.5; amplitude *= 2)
+        {
+            const whitener white
+            (
+                base.covariance + unknownShape(amplitude, length)
+            );
+            const weighed w(quickly(h, white));
+            if (w.score < best.score)
+            {
+                best = w;
+                best.amplitude = amplitude;
+                best.length = length;
+            }
+        }
+    }
+    best.covariance =
+        base.covariance + unknownShape(best.amplitude, best.length);
+    best.number = base.number;
+    best.score += best.number;
+    return best;
+}
+
+
+void statistics::weighing::addPartly(std::vector<weighed>& list) const
+{
+    std::vector<weighed> partly;
+    for (const weighed& w : list)
+    {
+        if (w.what.mechanisms.size() && partly.size() < 4)
+        {
+            partly.push_back(weighUnknown(w));
+        }
+    }
+    list.insert(list.end(), partly.begin(), partly.end());
+}
+
+
+// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
+
+statistics::weighing::weighing
+(
+    const stacked& data,
+    const responseSurface& surface,
+    const variableBounds& bounds,
+    const covariance& covariance,
+    const double tolerance
+)
+:
+    data_(data),
+    surface_(surface),
+    bounds_(bounds),
+    covariance_(covariance),
+    tolerance_(tolerance),
+    effectiveSize_
+    (
+        std::max(whitener(covariance.at(surface(bounds.mean))).effectiveSize(), 8.0)
+    )
+{}
+
+
+// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
+
+statistics::weighed statistics::weighing::quickly
+(
+    const hypothesis& h,
+    const whitener& white
+) const
+{
+    weighed w;
+    w.what = h;
+    w.best = fit(model(h), data_.y, white);
+    w.score =
+        w.best.objective + white.logDeterminant()
+      + h.size()*std::log(effectiveSize_);
+    return w;
+}
+
+
+statistics::weighed statistics::weighing::base() const
+{
+    const vec atMean = surface_(bounds_.mean);
+    return thoroughly(quickly(hypothesis(), whitener(covariance_.at(atMean))));
+}
+
+
+statistics::weighed
+statistics::weighing::thoroughly(const weighed& quick) const
+{
+    weighed w(quick);
+    if (w.what.unknown)
+    {
+        hypothesis known(w.what);
+        known.unknown = false;
+        const weighed start(quickly(known, whitener(quick.covariance)));
+        w = weighUnknown(thoroughly(start));
+    }
+    else
+    {
+        for (int pass = 0; pass < 2; ++pass)
+        {
+            const mat c = ownCovariance(w.what, w.best.f) + otherFormula(w);
+            w = quickly(quick.what, whitener(c));
+            w.covariance = c;
+        }
+    }
+    w.number = quick.number;
+    w.score += w.number;
+    return w;
+}
+
+
+statistics::weighed statistics::weighing::where(const weighed& w) const
+{
+    weighed there(w);
+    if (!w.what.unknown)
+    {
+        there.covariance =
+            ownCovariance(w.what, model(w.what)(w.best.x)) + otherFormula(w);
+    }
+    return where(there, whitener(there.covariance));
+}
+
+
+statistics::weighed statistics::weighing::where
+(
+    const weighed& w,
+    const whitener& white
+) const
+{
+    weighed there(w);
+    there.best = unfitted(model(w.what), data_.y, white, w.best.x);
+    there.score =
+        there.best.objective + white.logDeterminant()
+      + w.what.size()*std::log(effectiveSize_) + w.number;
+    return there;
+}
+
+
+statistics::weighed statistics::weighing::again
+(
+    const weighed& w,
+    const whitener& white
+) const
+{
+    weighed next(quickly(w.what, white));
+    next.covariance = w.covariance;
+    next.number = w.number;
+    next.score += w.number;
+    return next;
+}
+
+
+std::vector<statistics::weighed> statistics::weighing::all
+(
+    const std::vector<int>& mechanisms,
+    const std::vector<sensorFault>& faults,
+    const bool pairs
+) const
+{
+    // The others start from the base with its own covariance
+    const weighed none(base());
+    const whitener white(none.covariance);
+
+    std::vector<weighed> list;
+    list.push_back(quickly(hypothesis(), white));
+    for (int i = 0; i < count(mechanisms); ++i)
+    {
+        hypothesis h;
+        h.mechanisms = {mechanisms[i]};
+        list.push_back(quickly(h, white));
+        for (int j = i + 1; pairs && j < count(mechanisms); ++j)
+        {
+            h.mechanisms = {mechanisms[i], mechanisms[j]};
+            list.push_back(quickly(h, white));
+        }
+    }
+    for (const sensorFault& fault : faults)
+    {
+        hypothesis h;
+        h.fault = fault;
+        const vec scales = fault.noiseScales(data_);
+        list.push_back
+        (
+            (scales.array() == 1).all()
+          ? quickly(h, white)
+          : quickly(h, whitener(inItsUnit(none.covariance, scales)))
+        );
+    }
+    list.push_back(weighUnknown(none));
+    addNumbers(list);
+    sortByScore(list);
+
+    // The best, the base and each mechanism alone, with their own covariance
+    const double limit = list.front().score + 30;
+    int thorough = 0;
+    for (weighed& w : list)
+    {
+        if (w.what.unknown)
+        {
+            continue;
+        }
+        const bool single = w.what.mechanisms.size() == 1;
+        if ((w.score < limit && thorough++ < 12) || single || w.what.isNone())
+        {
+            w = thoroughly(w);
+        }
+        else
+        {
+            w.covariance = none.covariance;
+        }
+    }
+    sortByScore(list);
+    addPartly(list);
+    sortByScore(list);
+    return list;
+}
+
+
+void statistics::setProbabilities
+(
+    std::vector<weighed>& list,
+    const double temperature
+)
+{
+    double least = large;
+    for (const weighed& w : list)
+    {
+        least = std::min(least, w.score);
+    }
+    double sum = 0;
+    for (weighed& w : list)
+    {
+        w.probability =
+            std::exp(-std::min(0.5*(w.score - least)/temperature, 700.0));
+        sum += w.probability;
+    }
+    for (weighed& w : list)
+    {
+        w.probability /= sum;
+    }
+}
