@@ -2,6 +2,7 @@
 // Where a misfit is, and what a Gaussian process learns of it.
 
 #include "gaussianProcess.H"
+#include "scalarList.H"
 #include "statisticsNames.H"
 
 #include <gtest/gtest.h>

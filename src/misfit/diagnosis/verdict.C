@@ -72,6 +72,7 @@ bool blameOneChannel(const std::vector<weighed>& near, const hypothesis& best)
 void callSet(const std::vector<weighed>& all, finding& f)
 {
     // One that adds to another of the set says nothing more
+    f.names.clear();
     f.alternatives = simplest(all);
     f.verdict = verdictKind::set;
 }
