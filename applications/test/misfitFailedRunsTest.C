@@ -124,6 +124,6 @@ TEST(misfitFailedRuns, aCandidateThatCrashesTheSolverDropsOut)
     const finding f(diagnose(s));
     EXPECT_EQ(f.verdict, verdictKind::named);
     ASSERT_EQ(f.dropped.size(), 1);
-    EXPECT_EQ(f.dropped[0].first(), "gate");
-    EXPECT_NE(f.dropped[0].second().find("floating point"), std::string::npos);
+    EXPECT_EQ(f.dropped[0].name, "gate");
+    EXPECT_NE(told(f.dropped[0]).find("floating point"), std::string::npos);
 }

@@ -105,8 +105,9 @@ TEST(misfitGates, whatIsNotMatchedYetIsSaid)
     ASSERT_EQ(f.verdict, verdictKind::named);
     for (const heldOut& h : f.held)
     {
-        const bool told = told(f).find("not yet match " + told(h)) != std::string::npos;
-        EXPECT_EQ(told, h.squareAfter > matchLimit(h)) << told(f);
+        const bool said =
+            told(f).find("not yet match " + told(h)) != std::string::npos;
+        EXPECT_EQ(said, h.squareAfter > matchLimit(h)) << told(f);
     }
     EXPECT_GT(f.held[0].squareAfter, matchLimit(f.held[0]));
 }

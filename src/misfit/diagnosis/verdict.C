@@ -169,15 +169,13 @@ bool confirmsNone(const finding& f)
 }
 
 
-//- Sets verdict and names; returns those that it was chosen among
-std::vector<weighed> choose(const study& s, finding& f)
+//- Sets verdict and names
+void choose(const study& s, finding& f)
 {
-    std::vector<weighed> near;
     const gateList& gates = f.gates;
     if (gates.passed(gateKind::detection) && gates.passed(gateKind::evidence))
     {
-        near = f.rivals;
-        judge(s, near, f);
+        judge(s, f.rivals, f);
         if (!gates.allowAnswer())
         {
             f.verdict = verdictKind::unknown;
@@ -188,7 +186,7 @@ std::vector<weighed> choose(const study& s, finding& f)
          && !gates.passed(gateKind::stability)
         )
         {
-            weaken(s, near, f);
+            weaken(s, f.rivals, f);
         }
     }
     if (f.verdict == verdictKind::none && !confirmsNone(f))
@@ -200,7 +198,6 @@ std::vector<weighed> choose(const study& s, finding& f)
         f.names.clear();
         f.alternatives.clear();
     }
-    return near;
 }
 
 
@@ -275,7 +272,7 @@ void Foam::misfit::decide(const study& s, const models& m, finding& f)
     statistics::setProbabilities(f.explained.all(), set.temperature);
     setPosterior(f);
     f.rivals = f.explained.rivals(set);
-    const std::vector<weighed> near(choose(s, f));
+    choose(s, f);
 
     const bool changed =
         f.verdict != verdictKind::none && f.verdict != verdictKind::unknown;
@@ -295,7 +292,7 @@ void Foam::misfit::decide(const study& s, const models& m, finding& f)
     }
     else if (f.verdict == verdictKind::set)
     {
-        f.measure = measurementBetween(s, m, f.explained, near);
+        f.measure = measurementBetween(s, m, f.explained, f.alternatives);
     }
     if (f.strengths.size() && !f.best().what.unknown)
     {
