@@ -147,6 +147,44 @@ TEST(misfitReport, theRecordIsReadableByPrograms)
 }
 
 
+TEST(misfitReport, theRecordIsOfItsSchemaAndReadsBackAsItWasFound)
+{
+    using type = nlohmann::json::value_t;
+    const std::pair<const char*, type> schema[] =
+    {
+        {"schema", type::number_unsigned}, {"case", type::string},
+        {"verdict", type::string}, {"names", type::array},
+        {"words", type::string}, {"confidence", type::number_float},
+        {"strengths", type::array}, {"fault", type::null},
+        {"detection", type::object}, {"located", type::array},
+        {"calibration", type::array}, {"uncertainty", type::object},
+        {"gates", type::array}, {"heldOut", type::array},
+        {"freeCorrection", type::null}, {"posterior", type::array},
+        {"dropped", type::array}, {"failedRuns", type::array},
+        {"correctedCase", type::null}, {"apart", type::object},
+        {"advice", type::string}, {"statesAskedFor", type::number_unsigned}
+    };
+    const finding f(found());
+    const auto j = nlohmann::json::parse(verdictJson(f, "case"));
+    EXPECT_EQ(j.size(), std::size(schema));
+    for (const auto& key : schema)
+    {
+        ASSERT_TRUE(j.contains(key.first)) << key.first;
+        EXPECT_EQ(j[key.first].type(), key.second) << key.first;
+    }
+    EXPECT_EQ(j["schema"], 2);
+    EXPECT_EQ(verdictNames[word(j["verdict"].get<std::string>())], f.verdict);
+    EXPECT_EQ(j["names"].get<std::vector<std::string>>().front(), f.names[0]);
+    EXPECT_EQ(j["confidence"], f.confidence);
+    EXPECT_EQ(j["strengths"][0]["name"], f.strengths[0].name);
+    EXPECT_EQ(j["strengths"][0]["value"], f.strengths[0].value);
+    EXPECT_EQ(j["detection"]["p"], f.detection.p);
+    EXPECT_EQ(j["heldOut"][0]["what"], told(f.held[0]));
+    EXPECT_EQ(j["heldOut"][0]["use"], purposeNames[f.held[0].use]);
+    EXPECT_EQ(j["heldOut"][0]["meanSquareBefore"], f.held[0].squareBefore);
+}
+
+
 TEST(misfitReport, oneFileHoldsWordsAndPictures)
 {
     const temporaryFolder scratch;

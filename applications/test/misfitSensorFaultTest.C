@@ -118,6 +118,31 @@ TEST(misfitSensorFault, theOthersAreStillTold)
 }
 
 
+TEST(misfitSensorFault, exchangedGaugesAreBothNamedAlsoBesideSomethingUnknown)
+{
+    const world w(20);
+    for (const scalar wave : {0., 60.})
+    {
+        vec added = vec::Zero(w.data.size());
+        for (const segment& s : w.data.segments)
+        {
+            s.of(added).array() +=
+                (s.quantity == "pressure" ? wave : 1e-4*wave)
+               *(-((s.x.array() - 2.6)/0.3).square()).exp();
+        }
+        const vec shown = w(truth(-1, 0), 1) + added;
+        const segment& p1 = w.data.segments[0];
+        const segment& p2 = w.data.segments[1];
+        p1.of(added) += p2.of(shown) - p1.of(shown);
+        p2.of(added) += p1.of(shown) - p2.of(shown);
+        worldSampler s(truth(-1, 0), 300, added);
+        const finding f(diagnose(s));
+        expectAnswer(f, "registration", {"P1", "P2"});
+        EXPECT_NE(told(f).find("P1 and P2 are exchanged"), std::string::npos);
+    }
+}
+
+
 TEST(misfitSensorFault, nothingHasNoUnitAndWhatMovesIsNotDead)
 {
     const vec zero = vec::Zero(20);

@@ -272,3 +272,46 @@ TEST(misfitWeighing, whatIsNotInTheLibraryIsUnknown)
     testNumber("waves from outside the library taken as unknown [%]", 100.*unknown/n);
     EXPECT_GE(unknown, 9);
 }
+
+
+TEST(misfitWeighing, exchangedChannelsTakeWithThemWhatTheSimulationIsUncertainBy)
+{
+    // At P2 the simulation is off by a wave that another mesh shows, at P1 it is sure.
+    // Each of the two has the record of the other
+    world w(20);
+    const statistics::responseSurface surface(w.bank(120, 2));
+    const segment& p2 = w.data.segments[1];
+    vec wave = vec::Zero(w.data.size());
+    p2.of(wave) = 300*(6*p2.x.array()).sin();
+    std::mt19937 generator(25);
+    const sensorFault exchanged
+    (
+        possibleFaults(w.data, {faultKind::swapped}).front()
+    );
+    ASSERT_EQ(exchanged.partner, "P2");
+    w.data.y = exchanged(w.data, w(w.bounds.mean) + wave, vec());
+    w.data.y += w.noise(generator);
+
+    covariance c(w.data, 0.005);
+    c.addSpread("between the runs", surface.leftOut(), 1);
+    c.addDifference("mesh", wave);
+    const std::vector<weighed> list
+    (
+        weighing(w.data, surface, w.bounds, c).all
+        (
+            {0, 1, 2, 3, 4},
+            possibleFaults(w.data, {faultKind::swapped, faultKind::gain}),
+            true
+        )
+    );
+    ASSERT_TRUE(list.front().what.fault.has_value());
+    EXPECT_EQ(told(*list.front().what.fault), "swapped of P1 with P2");
+    for (const weighed& other : list)
+    {
+        if (!other.what.fault || !(*other.what.fault == exchanged))
+        {
+            EXPECT_GT(other.score, list.front().score + 6);
+        }
+    }
+}
+

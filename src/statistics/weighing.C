@@ -39,6 +39,46 @@ mat inItsUnit(const mat& covariance, const vec& noiseScales)
     return noiseScales.asDiagonal()*covariance*noiseScales.asDiagonal();
 }
 
+
+//- A channel has the record of another place: what the simulation is uncertain by goes
+//  with it
+bool isMoved(const hypothesis& h)
+{
+    return
+        h.fault
+     && (h.fault->kind == faultKind::swapped
+      || h.fault->kind == faultKind::misplaced);
+}
+
+
+//- Covariance of such an explanation at its fit: the sensors stay, all else is moved
+mat movedCovariance
+(
+    const stacked& data,
+    const covariance& known,
+    const responseSurface& surface,
+    const hypothesisModel& model,
+    const weighed& w
+)
+{
+    const sensorFault& fault = *w.what.fault;
+    const vec u = model.ofFault(w.best.x);
+    const vec f = surface(model.expand(w.best.x));
+    const covariance sensors(data, 0);
+
+    // It is linear: T C T' by its columns, twice
+    mat all = known.at(f) - sensors.at(f);
+    for (int pass = 0; pass < 2; ++pass)
+    {
+        for (int i = 0; i < all.cols(); ++i)
+        {
+            all.col(i) = fault(data, vec(all.col(i)), u);
+        }
+        all.transposeInPlace();
+    }
+    return all + sensors.at(fault(data, f, u));
+}
+
 } // End anonymous namespace
 
 
@@ -145,6 +185,14 @@ void statistics::weighing::addPartly(std::vector<weighed>& list) const
             partly.push_back(weighUnknown(w));
         }
     }
+    for (const weighed& w : list)
+    {
+        if (w.what.fault && w.what.fault->kind == faultKind::swapped)
+        {
+            partly.push_back(weighUnknown(thoroughly(w)));
+            break;
+        }
+    }
     list.insert(list.end(), partly.begin(), partly.end());
 }
 
@@ -212,7 +260,14 @@ statistics::weighing::thoroughly(const weighed& quick) const
     {
         for (int pass = 0; pass < 2; ++pass)
         {
-            const mat c = ownCovariance(w.what, w.best.f) + otherFormula(w);
+            const mat own =
+                isMoved(w.what)
+              ? movedCovariance
+                (
+                    data_, covariance_, surface_, model(w.what), w
+                )
+              : ownCovariance(w.what, w.best.f);
+            const mat c = own + otherFormula(w);
             w = quickly(quick.what, whitener(c));
             w.covariance = c;
         }
@@ -228,8 +283,11 @@ statistics::weighed statistics::weighing::where(const weighed& w) const
     weighed there(w);
     if (!w.what.unknown)
     {
-        there.covariance =
-            ownCovariance(w.what, model(w.what)(w.best.x)) + otherFormula(w);
+        const mat own =
+            isMoved(w.what)
+          ? movedCovariance(data_, covariance_, surface_, model(w.what), w)
+          : ownCovariance(w.what, model(w.what)(w.best.x));
+        there.covariance = own + otherFormula(w);
     }
     return where(there, whitener(there.covariance));
 }
@@ -293,12 +351,19 @@ std::vector<statistics::weighed> statistics::weighing::all
         hypothesis h;
         h.fault = fault;
         const vec scales = fault.noiseScales(data_);
-        list.push_back
+        weighed w
         (
             (scales.array() == 1).all()
           ? quickly(h, white)
           : quickly(h, whitener(inItsUnit(none.covariance, scales)))
         );
+        if (isMoved(h))
+        {
+            const mat own =
+                movedCovariance(data_, covariance_, surface_, model(h), w);
+            w = quickly(h, whitener(own));
+        }
+        list.push_back(w);
     }
     list.push_back(weighUnknown(none));
     addNumbers(list);

@@ -54,7 +54,10 @@ void preferAmongRivals(const study& s, const models& m, explanations& e)
 
     // If it leaves more than chance, it is a part of what is missing
     const hypothesis what(e.best().what);
-    const bool whole = what.mechanisms.size() && !what.unknown;
+    const bool exchanged =
+        what.fault && what.fault->kind == faultKind::swapped;
+    const bool whole =
+        (what.mechanisms.size() || exchanged) && !what.unknown;
     if (whole && look(s, *m.fit, e.best()).p < s.set().adequacy)
     {
         hypothesis part(what);

@@ -96,6 +96,10 @@ void judge(const study& s, const std::vector<weighed>& near, finding& f)
             best.fault->isRegistration()
           ? verdictKind::registration : verdictKind::sensor;
         f.names = wordList(1, word(best.fault->channel));
+        if (best.fault->kind == faultKind::swapped)
+        {
+            f.names.append(best.fault->partner);
+        }
         return;
     }
     const std::vector<int> core(common(near));

@@ -60,7 +60,7 @@ std::string sureThat(const finding& f)
                 " recordings";
         case verdictKind::sensor:
         case verdictKind::registration:
-            return "that the fault is at " + f.names[0];
+            return "that the fault is at " + inWords(f.names, "and");
         case verdictKind::set:
             return "that one of these is at least part of what is wrong";
         case verdictKind::unknown:

@@ -17,6 +17,10 @@ using namespace Foam;
 using namespace Foam::misfit;
 using json = nlohmann::ordered_json;
 
+//- Of the record: grows with each change of what its keys are or mean
+constexpr label schema = 2;
+
+
 json list(const wordList& names)
 {
     json all = json::array();
@@ -297,6 +301,7 @@ std::string Foam::misfit::verdictJson(const finding& f, const string& title)
 {
     return json
     ({
+        {"schema", schema},
         {"case", title},
         {"verdict", verdictNames[f.verdict]},
         {"names", list(answerOf(f))},

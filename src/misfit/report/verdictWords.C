@@ -392,7 +392,13 @@ string verdictTold(const finding& f)
                 "A sensor, or something that no other channel sees: "
               + faultInWords(f) + '.';
         case verdictKind::registration:
-            return "Not physics: " + faultInWords(f) + '.';
+            return
+                "Not physics: " + faultInWords(f) + '.'
+              + (
+                    f.hasMore()
+                  ? " There is more to it, which these channels do not settle."
+                  : ""
+                );
         default:
             return whatIsLeftOut(f);
     }
