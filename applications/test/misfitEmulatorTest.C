@@ -224,8 +224,8 @@ TEST(misfitBank, eachCandidateIsInAsManyRunsAsTheOthers)
     set.bank = 26;
     nothing sampler;
     HashTable<label> runs;
-    const auto stages(diagnosis(sampler, set).plan());
-    for (const runState& s : stages[1].second())
+    const List<plannedStage> stages(plan(sampler, set));
+    for (const runState& s : stages[1].states)
     {
         for (const word& name : s.strengths.toc())
         {
