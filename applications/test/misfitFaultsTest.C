@@ -85,6 +85,7 @@ TEST(misfitFaults, theOthersDoWhatTheySay)
     vec f = vec::Zero(w.data.size());
     s.of(f) = s.x;
     w.data.segments[1].of(f).setConstant(7);
+    w.data.y = f;
 
     EXPECT_NEAR(ofP1(w, faultKind::gain)(w.data, f, number(0.2))[10], 1.2*s.x[10], 1e-12);
     EXPECT_NEAR(ofP1(w, faultKind::zero)(w.data, f, number(3))[10], s.x[10] + 3, 1e-12);
