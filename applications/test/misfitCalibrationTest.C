@@ -2,6 +2,7 @@
 // Parameters chosen by response surfaces.
 
 #include "calibration.H"
+#include "scalarList.H"
 #include "statisticsNames.H"
 
 #include <gtest/gtest.h>
