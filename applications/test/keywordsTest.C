@@ -56,5 +56,8 @@ TEST(keywords, aFormerChoiceIsAnErrorThatSaysThePresentOne)
 
     EXPECT_EQ(chosen("model present;"), "nothing");
     EXPECT_NE(chosen("model old;").find("Write present"), std::string::npos);
-    EXPECT_NE(chosen("model other;").find("Valid names: present"), std::string::npos);
+    EXPECT_NE
+    (
+        chosen("model other;").find("Valid names: present"), std::string::npos
+    );
 }
