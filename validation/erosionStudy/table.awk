@@ -30,6 +30,18 @@ function difference(v, wanted)
     return v == "" ? "" : sprintf("%.1f", 100*(v/wanted - 1))
 }
 
+# U and h where heads take shape in place of those over the whole reach, and Fr and E with
+# them (Eqs 12 and 15)
+function readHead(run, scale,    U, h, Fr)
+{
+    ours[run, "Ureach"] = ours[run, "U"]
+    ours[run, "hreach"] = ours[run, "h"]
+    U = ours[run, "U"] = ours[run, "Uhead"]
+    h = ours[run, "h"] = ours[run, "hhead"]
+    Fr = ours[run, "Fr"] = h > 0 ? U/sqrt(g*h*cosSlope) : 0
+    ours[run, "E"] = scale*ours[run, "M"]*g*h*(1 + Fr*Fr/2)
+}
+
 FNR == 1 {
     delete name
     delete at
@@ -62,6 +74,7 @@ isPaper {
     state[run] = "done"
     for (i = 2; i <= NF; i++) ours[run, name[i]] = $i
     ours[run, "E"] *= scale
+    if ("Uhead" in at) readHead(run, scale)
     # The paper's U_e is that of the whole bed; what moves is kept beside it
     ours[run, "Umoving"] = ours[run, "Ue"]
     ours[run, "Ue"] = "Ubed" in at ? ours[run, "Ubed"] : ""
@@ -81,7 +94,7 @@ END {
     nMore = split("Fc bouncing creeping netStart netEnd peakTime hash code " \
         "LFromWall LFromWallDifference tBegin tEnd stationary Ubouncing Ucreeping " \
         "LcFarthest LcFarthestDifference Utip UtipDifference Upassing UpassingDifference hPassing " \
-        "UPrinted FrAsPrinted Umoving Uhead hhead", more, " ")
+        "UPrinted FrAsPrinted Umoving Ureach hreach", more, " ")
     for (i = 1; i <= nMore; i++) printf ",%s", more[i]
     print ""
 
