@@ -17,6 +17,7 @@
 #include "masterErrorsFirst.H"
 #include "fpeGuard.H"
 #include "functionState.H"
+#include "granularProperties.H"
 #include "demCoupling.H"
 #include "heldMemory.H"
 #include "reconstructionCheck.H"
@@ -43,6 +44,12 @@ int main(int argc, char *argv[])
     Info<< "Create time\n" << endl;
     exchangeTime runTime(Time::controlDictName, args);
     #include "createMesh.H"
+
+    if (granularProperties::withoutFluid(mesh))
+    {
+        #include "grainsAlone.H"
+        return 0;
+    }
 
     pimpleControl pimple(mesh);
     #include "initContinuityErrs.H"

@@ -68,6 +68,38 @@ Foam::demCoupling::demCoupling
 }
 
 
+Foam::demCoupling::demCoupling(const fvMesh& mesh, const vector& g)
+:
+    mesh_(mesh),
+    phase_(granularProperties(mesh).makePhase(mesh, g)),
+    exchange_(new grainExchange(mesh)),
+    elapsed_(phase_->exchangeInterval()),
+    nEntered_(0),
+    warnedOf_(0)
+{
+    locateGrains();
+    if (!phase_->restarted())
+    {
+        checkWalls();
+    }
+}
+
+
+void Foam::demCoupling::startAlone() const
+{
+    Info<< "Grains alone: voidFraction, interphaseForces and the fields of a fluid"
+        << " are not read" << nl << endl;
+
+    writeActivePhysics(mesh_, "grains", phase_->activePhysics());
+
+    // Time 0 as they start, for pictures and later evaluation
+    if (!phase_->restarted() && mesh_.time().value() < SMALL)
+    {
+        writeCloud();
+    }
+}
+
+
 bool Foam::demCoupling::due() const
 {
     return active() && elapsed_ > (1 - 1e-6)*phase_->exchangeInterval();
@@ -140,7 +172,7 @@ void Foam::demCoupling::locateGrains()
     const stageTimes::stage stage(times_, "locateGrains");
     exchange_->locate(*phase_);
 
-    if (phase_->nEntered() > nEntered_)
+    if (forces_ && phase_->nEntered() > nEntered_)
     {
         nEntered_ = phase_->nEntered();
         checkRegime();

@@ -54,6 +54,12 @@ bool Foam::demCoupling::write()
 {
     const stageTimes::stage stage(times_, "writeGrains");
 
+    // Beside a fluid they have been located for its forces
+    if (!forces_)
+    {
+        locateGrains();
+    }
+
     const bool cloudComplete = writeCloud();
 
     // One state of all ranks, with the files of the first
@@ -64,14 +70,17 @@ bool Foam::demCoupling::write()
         mkDir(folder);
     }
 
-    const bool forcesComplete = forces_->writeState(folder);
+    const bool forcesComplete = !forces_ || forces_->writeState(folder);
     const bool stateComplete = phase_->writeState(folder) && forcesComplete;
 
     // Writing the state may bring grains to other ranks and in another order.
     // Sums in that order are what a restart finds, to the last bit
-    locateGrains();
-    voidFraction_->update();
-    solidAfter_ = voidFraction_->solidFraction();
+    if (forces_)
+    {
+        locateGrains();
+        voidFraction_->update();
+        solidAfter_ = voidFraction_->solidFraction();
+    }
 
     return returnReduce(cloudComplete && stateComplete, andOp<bool>());
 }

@@ -32,7 +32,7 @@ Foam::granularProperties::granularProperties(const fvMesh& mesh)
     for
     (
         const word key :
-        {"FoamFile", "exchange", "voidFraction", "interphaseForces"}
+        {"FoamFile", "fluid", "exchange", "voidFraction", "interphaseForces"}
     )
     {
         known.append(key);
@@ -58,6 +58,21 @@ bool Foam::granularProperties::present(const fvMesh& mesh)
     );
 
     return returnReduce(isFile(path), orOp<bool>());
+}
+
+
+bool Foam::granularProperties::withoutFluid(const fvMesh& mesh)
+{
+    return
+        present(mesh)
+     && keywords::choice
+        (
+            granularProperties(mesh),
+            "fluid",
+            "fluid",
+            {"volumeOfFluid", "none"},
+            "volumeOfFluid"
+        ) == "none";
 }
 
 

@@ -225,6 +225,11 @@ void Foam::functionObjects::basalStress::fluidForce
     bins& viscous
 ) const
 {
+    if (!fluid_)
+    {
+        return;
+    }
+
     const tmp<volScalarField> p(field<volScalarField>(pName_));
     const tmp<volVectorField> U(field<volVectorField>(UName_));
     const tmp<volScalarField> alpha(field<volScalarField>(alphaName_));

@@ -52,7 +52,8 @@ Foam::functionObjects::flumeFunctionObject::flumeFunctionObject
     series_(name, runTime, !functionObject::postProcess),
     sampledAt_(-GREAT),
     sampled_(false),
-    rhoWater_(0)
+    rhoWater_(0),
+    fluid_(hasFluid(mesh_))
 {}
 
 
@@ -80,6 +81,26 @@ void Foam::functionObjects::flumeFunctionObject::checkKeys
     DynamicList<word> valid(own);
     valid.append(commonKeys);
     keywords::check(dict, valid);
+}
+
+
+bool Foam::functionObjects::flumeFunctionObject::hasFluid(const fvMesh& mesh)
+{
+    const IOdictionary properties
+    (
+        IOobject
+        (
+            "granularProperties",
+            mesh.time().constant(),
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+
+    return
+        properties.lookupOrDefault<word>("fluid", "volumeOfFluid") != "none";
 }
 
 
@@ -151,7 +172,7 @@ bool Foam::functionObjects::flumeFunctionObject::passOver
     const wordList& fields
 ) const
 {
-    if (!functionObject::postProcess)
+    if (!functionObject::postProcess || !fluid_)
     {
         return false;
     }
@@ -189,7 +210,7 @@ bool Foam::functionObjects::flumeFunctionObject::passOver
 Foam::tmp<Foam::volScalarField>
 Foam::functionObjects::flumeFunctionObject::voidFraction() const
 {
-    if (voidFractionName_ == "none")
+    if (voidFractionName_ == "none" || !fluid_)
     {
         return volScalarField::New
         (
@@ -206,6 +227,11 @@ Foam::functionObjects::flumeFunctionObject::voidFraction() const
 Foam::tmp<Foam::scalarField>
 Foam::functionObjects::flumeFunctionObject::waterVolume() const
 {
+    if (!fluid_)
+    {
+        return tmp<scalarField>::New(mesh_.nCells(), Zero);
+    }
+
     const tmp<volScalarField> alpha(field<volScalarField>(alphaName_));
     const tmp<volScalarField> epsilon(voidFraction());
 
@@ -230,7 +256,7 @@ Foam::scalar Foam::functionObjects::flumeFunctionObject::cosSlope() const
 
 Foam::scalar Foam::functionObjects::flumeFunctionObject::rhoWater() const
 {
-    if (rhoWater_ <= 0)
+    if (rhoWater_ <= 0 && fluid_)
     {
         const word phase(IOobject::group(alphaName_));
 

@@ -122,6 +122,11 @@ void Foam::functionObjects::massBalance::begin()
 
 Foam::scalar Foam::functionObjects::massBalance::outflowOfStep() const
 {
+    if (!fluid_)
+    {
+        return 0;
+    }
+
     const tmp<surfaceScalarField> flux(field<surfaceScalarField>(fluxName_));
 
     scalar out = 0;

@@ -195,6 +195,12 @@ Foam::flowThrough Foam::functionObjects::overflow::within
         }
     }
 
+    if (!fluid_)
+    {
+        result.reduceAll();
+        return result;
+    }
+
     const tmp<volVectorField> U(field<volVectorField>(UName_));
     const tmp<scalarField> water(waterVolume());
     forAll(cells_, cell)

@@ -157,6 +157,9 @@ void Foam::functionObjects::sideView::report()
     if (!passOver({alphaName_, "U"}))
     {
         writeGrains();
-        writeCells();
+        if (fluid_)
+        {
+            writeCells();
+        }
     }
 }

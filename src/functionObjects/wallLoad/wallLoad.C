@@ -160,6 +160,11 @@ Foam::label Foam::functionObjects::wallLoad::sampleOf(const scalar t) const
 Foam::functionObjects::wallLoad::load
 Foam::functionObjects::wallLoad::ofFluid() const
 {
+    if (!fluid_)
+    {
+        return load();
+    }
+
     const tmp<volScalarField> p(field<volScalarField>(pName_));
     const tmp<volVectorField> U(field<volVectorField>(UName_));
     const tmp<volScalarField> alpha(field<volScalarField>(alphaName_));
