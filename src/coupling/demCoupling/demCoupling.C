@@ -55,7 +55,7 @@ Foam::demCoupling::demCoupling
 
     locateGrains();
     // In a surge soft grains dent deeper than a packing may
-    if (!phase_->restarted())
+    if (!phase_->restarted() && phase_->touchesAtRadius())
     {
         checkWalls();
     }

@@ -8,12 +8,6 @@
 #include "keywords.H"
 #include "pointRegion.H"
 
-const Foam::wordList Foam::materialPointMethod::keywordsOfDict
-({
-    "cellSize", "pointsPerCell", "transfer", "averaging", "courant", "bodies"
-});
-
-
 namespace
 {
     using namespace Foam;
@@ -63,6 +57,8 @@ Foam::materialPointMethod::materialPointMethod
     averaging_(dict.getOrDefault<Switch>("averaging", true)),
     courant_(dict.getOrDefault<scalar>("courant", 0.4)),
     fastest_(0),
+    open_(false),
+    nLeft_(0),
     sinceSorted_(sortInterval),
     nodes_(grid_.nNodes()),
     change_(flipShare_ > 0 ? grid_.nNodes() : 0),
@@ -105,6 +101,7 @@ void Foam::materialPointMethod::addBodies
         dictionary law(body.dict());
         law.remove("region");
         law.remove("U");
+        law.remove("solidDensity");
 
         bodies_.append(body.keyword());
         laws_.append(constitutiveLaw::New(law).ptr());
@@ -226,6 +223,12 @@ Foam::scalar Foam::materialPointMethod::stableStep() const
 }
 
 
+Foam::scalar Foam::materialPointMethod::restStep() const
+{
+    return courant_*grid_.h()/waveSpeed();
+}
+
+
 void Foam::materialPointMethod::step(const scalar dt, const scalar damping)
 {
     if (sinceSorted_++ >= sortInterval)
@@ -256,6 +259,11 @@ void Foam::materialPointMethod::step(const scalar dt, const scalar damping)
     forAll(laws_, body)
     {
         laws_[body].update(points_, body, dilation_, dt);
+    }
+
+    forAll(points_.x, i)
+    {
+        walls_.putBack(points_.x[i], cell_[i]);
     }
 
     travel();
@@ -303,6 +311,19 @@ void Foam::materialPointMethod::findDilation(const scalar dt)
     {
         p.volume[i] *= 1 + dt*dilation_[i];
     }
+}
+
+
+void Foam::materialPointMethod::goOn(const label sinceSorted)
+{
+    scalar fastest = 0;
+    for (const vector& U : points_.U)
+    {
+        fastest = max(fastest, magSqr(U));
+    }
+
+    fastest_ = sqrt(fastest);
+    sinceSorted_ = sinceSorted;
 }
 
 

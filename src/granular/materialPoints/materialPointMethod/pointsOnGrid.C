@@ -250,5 +250,49 @@ void Foam::materialPointMethod::transfer(const scalar dt)
 }
 
 
+template<int D>
+Foam::vectorField Foam::materialPointMethod::fromNodes(nodeLanes& nodes) const
+{
+    const pointSet& p = points_;
+    nodeLanes mass(nodes.size(), lanes(lanes::Zero()));
+    lanes flat[D];
+    std::fill(flat, flat + D, lanes(lanes::Zero()));
+
+    forAll(p.x, i)
+    {
+        splineStencil<D>(grid_, p.x[i]).add
+        (
+            mass, lanes(p.mass[i], 0, 0, 0), flat
+        );
+    }
+    share(mass);
+
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+    {
+        nodes[i] /= mass[i][0] > 0 ? mass[i][0] : 1;
+    }
+
+    vectorField result(p.size());
+    forAll(result, i)
+    {
+        result[i] =
+            p.mass[i]*toVector(splineStencil<D>(grid_, p.x[i]).mean(nodes));
+    }
+
+    return result;
+}
+
+
+Foam::vectorField Foam::materialPointMethod::wallImpulse
+(
+    const label wall
+) const
+{
+    nodeLanes given(walls_.given(wall));
+
+    return grid_.nDims() == 2 ? fromNodes<2>(given) : fromNodes<3>(given);
+}
+
+
 template void Foam::materialPointMethod::transfer<2>(const scalar);
 template void Foam::materialPointMethod::transfer<3>(const scalar);

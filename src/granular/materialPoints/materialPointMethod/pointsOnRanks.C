@@ -125,6 +125,23 @@ void Foam::materialPointMethod::stopOutside(const label i) const
 }
 
 
+bool Foam::materialPointMethod::hasLeft(const point& p) const
+{
+    const boundBox& box = grid_.box();
+    bool result = false;
+
+    for (direction d = 0; d < 3; ++d)
+    {
+        result =
+            result
+         || (open_[2*d] && p[d] < box.min()[d])
+         || (open_[2*d + 1] && p[d] > box.max()[d]);
+    }
+
+    return result;
+}
+
+
 void Foam::materialPointMethod::travel()
 {
     const label me = Pstream::myProcNo();
@@ -135,21 +152,20 @@ void Foam::materialPointMethod::travel()
     forAll(points_.x, i)
     {
         grid_.wrap(points_.x[i]);
+        const bool left = hasLeft(points_.x[i]);
+        nLeft_ += left;
 
-        if (!grid_.holds(points_.x[i]))
+        if (!left && !grid_.holds(points_.x[i]))
         {
             stopOutside(i);
         }
 
         const label rank =
             grid_.cut()
-          ? grid_.rankOf
-            (
-                pointGrid::cell(grid_.coordinate(points_.x[i], 0))
-            )
+          ? grid_.rankOf(pointGrid::cell(grid_.coordinate(points_.x[i], 0)))
           : me;
 
-        if (rank != me)
+        if (left || rank != me)
         {
             if (all)
             {
@@ -161,7 +177,10 @@ void Foam::materialPointMethod::travel()
                     staying.append(j);
                 }
             }
-            points_.pack(i, toRanks[rank]);
+            if (!left)
+            {
+                points_.pack(i, toRanks[rank]);
+            }
         }
         else if (!all)
         {

@@ -156,6 +156,7 @@ void Foam::pointWalls::hold
 (
     const label node,
     const facet& f,
+    const scalar distance,
     const std::size_t begin
 )
 {
@@ -180,7 +181,7 @@ void Foam::pointWalls::hold
         }
     }
 
-    held_.push_back({node, f.wall, normal});
+    held_.push_back({node, f.wall, normal, distance, lanes::Zero()});
 }
 
 
@@ -221,6 +222,7 @@ void Foam::pointWalls::findNodes()
     }
 
     held_.clear();
+    heldFrom_.setSize(grid_.nNodes(), -1);
     forAll(meeting, node)
     {
         const std::size_t begin = held_.size();
@@ -230,9 +232,12 @@ void Foam::pointWalls::findNodes()
         {
             if (holds(i, meeting[node], p, place[node]))
             {
-                hold(node, facets_[i], begin);
+                const scalar distance = (p - place[node]) & facets_[i].normal;
+                hold(node, facets_[i], distance, begin);
             }
         }
+
+        heldFrom_[node] = held_.size() > begin ? label(begin) : -1;
     }
 
     facets_.clear();
@@ -241,7 +246,7 @@ void Foam::pointWalls::findNodes()
 
 void Foam::pointWalls::apply(nodeLanes& nodes, const bool counts)
 {
-    for (const heldNode& held : held_)
+    for (heldNode& held : held_)
     {
         lanes& node = nodes[held.node];
         const lanes before(node);
@@ -264,7 +269,13 @@ void Foam::pointWalls::apply(nodeLanes& nodes, const bool counts)
         }
         node[0] = before[0];
 
-        if (counts && grid_.owns(held.node))
+        if (!counts)
+        {
+            continue;
+        }
+
+        held.given += before[0]*(node - before);
+        if (grid_.owns(held.node))
         {
             vector& impulse = impulse_[held.wall];
             for (label k = 0; k < grid_.nDims(); ++k)
@@ -274,4 +285,60 @@ void Foam::pointWalls::apply(nodeLanes& nodes, const bool counts)
             }
         }
     }
+}
+
+
+void Foam::pointWalls::resetImpulse()
+{
+    impulse_ = Zero;
+    for (heldNode& held : held_)
+    {
+        held.given = lanes::Zero();
+    }
+}
+
+
+void Foam::pointWalls::putBackHeld(point& p, const label cell) const
+{
+    const point node(grid_.position(cell));
+    const scalar least = little*grid_.h();
+
+    for
+    (
+        std::size_t i = heldFrom_[cell];
+        i < held_.size() && held_[i].node == cell;
+        ++i
+    )
+    {
+        const heldNode& held = held_[i];
+        scalar distance = held.distance;
+
+        for (label k = 0; k < 3 && k < grid_.nDims(); ++k)
+        {
+            const direction d = grid_.axes()[k];
+            distance += held.normal[k + 1]*(p[d] - node[d]);
+        }
+
+        const scalar out = max(least - distance, scalar(0));
+        for (label k = 0; k < 3 && k < grid_.nDims(); ++k)
+        {
+            p[grid_.axes()[k]] += out*held.normal[k + 1];
+        }
+    }
+}
+
+
+Foam::nodeLanes Foam::pointWalls::given(const label wall) const
+{
+    nodeLanes result(grid_.nNodes(), lanes(lanes::Zero()));
+
+    for (const heldNode& held : held_)
+    {
+        if (held.wall == wall)
+        {
+            result[held.node] += held.given;
+        }
+    }
+
+    return result;
 }
