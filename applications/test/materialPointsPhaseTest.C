@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Unit tests: material points in the place of grains.
+
+#include "OSspecific.H"
+#include "StringStream.H"
+#include "grainSnapshot.H"
+#include "granularPhase.H"
+#include "testMesh.H"
+#include "testNumber.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+
+namespace
+{
+
+const vector down(0, 0, -9.81);
+
+const string sand
+(
+    "law softeningDruckerPrager; density 1500; solidDensity 2650; E 1e6;"
+    " nu 0.2; frictionAngle 32;"
+);
+
+
+//- A slice in y, 0.8 m long and 0.4 m high
+testBox slice(const word& xMax = "wall")
+{
+    testBox box;
+    box.span = vector(0.8, 0.1, 0.4);
+    box.cells = labelVector(16, 1, 8);
+    box.patches = {{"wall", xMax, "empty", "empty", "wall", "patch"}};
+    return box;
+}
+
+
+autoPtr<granularPhase> points
+(
+    const fvMesh& mesh,
+    const string& region = "box ((0 0 0) (0.2 1 0.2));",
+    const string& rest = ""
+)
+{
+    const string text
+    (
+        "granularPhase materialPoints; materialPoints { cellSize 0.02;"
+        " walls { frictions { zMin 0.5; } } " + rest
+      + " bodies { sand { " + sand + " region { " + region + " } } } }"
+    );
+    return granularPhase::New
+    (
+        mesh, dictionary(IStringStream(text)()), down, 10
+    );
+}
+
+
+//- Message of the error that making points ends with
+std::string errorOf(const std::function<void()>& act)
+{
+    try
+    {
+        act();
+    }
+    catch (const Foam::error& e)
+    {
+        return e.message();
+    }
+    return "no error";
+}
+
+
+//- Nothing but what all ranks agree on: largest difference to the same point
+scalar furthest(const granularPhase& a, const granularPhase& b)
+{
+    scalar result = mag(a.size() - b.size());
+    for (label i = 0; i < min(a.size(), b.size()); ++i)
+    {
+        result = max(result, mag(a.position()[i] - b.position()[i]));
+        result = max(result, mag(a.velocity()[i] - b.velocity()[i]));
+        result = max(result, scalar(mag(a.id()[i] - b.id()[i])));
+    }
+    return returnReduce(result, maxOp<scalar>());
+}
+
+
+//- Stop after some intervals, go on from the state, and be where one is that
+//  never stopped
+void expectRestartIsExact()
+{
+    testMesh box(slice());
+    auto whole = points(box.mesh());
+    for (label i = 0; i < 7; ++i)
+    {
+        whole->advance();
+    }
+
+    fileName folder(box.time().timePath()/granularPhase::stateFolder);
+    Pstream::scatter(folder);
+    mkDir(folder);
+    ASSERT_TRUE(whole->writeState(folder));
+    whole->checkOut();
+
+    auto second = points(box.mesh());
+    EXPECT_TRUE(second->restarted());
+    EXPECT_EQ(furthest(*whole, *second), 0);
+
+    for (label i = 0; i < 20; ++i)
+    {
+        whole->advance();
+        second->advance();
+    }
+    EXPECT_EQ(furthest(*whole, *second), 0);
+    EXPECT_EQ(whole->nTotal(), 400);
+}
+
+} // End anonymous namespace
+
+
+TEST(materialPointsPhase, pointsHaveTheMassOfTheBodyAndTheRadiusOfItsSolid)
+{
+    testMesh box(slice());
+    const auto phase = points(box.mesh());
+
+    ASSERT_EQ(phase->size(), 400);
+    EXPECT_NEAR(sum(scalarField(phase->mass())), 1500*0.2*0.2*0.1, 1e-10);
+    EXPECT_NEAR
+    (
+        4.0/3*M_PI*pow3(phase->radius()[7])*2650, phase->mass()[7], 1e-12
+    );
+    EXPECT_FALSE(phase->touchesAtRadius());
+    EXPECT_FALSE(phase->restarted());
+}
+
+
+TEST(materialPointsPhase, theBaseBearsTheWeightAndTheSnapshotTellsIt)
+{
+    testMesh box(slice());
+    const auto phase = points(box.mesh(), "box ((0 0 0) (1 1 0.2));");
+
+    // Stress waves pass; their mean is the weight
+    scalar mean = 0;
+    const label n = 200;
+    for (label i = 0; i < n; ++i)
+    {
+        phase->advance();
+        const auto now = phase->snapshot();
+        mean += sum(now->wallForce["zMin"]).z()/n;
+    }
+    const scalar weight = 1500*0.8*0.2*0.1*9.81;
+    testNumber("mean force of the base over the weight", mean/weight);
+    EXPECT_NEAR(mean, weight, 0.02*weight);
+
+    // Pressure, half of that of the base in the mean over the bed
+    const auto now = phase->snapshot();
+    EXPECT_NEAR
+    (
+        -sum(now->stressMoment).zz(), weight*0.1, 0.3*weight*0.1
+    );
+    EXPECT_EQ(now->type[0], 1);
+}
+
+
+TEST(materialPointsPhase, theForceOfTheFluidMovesPoints)
+{
+    testMesh box(slice());
+    const auto phase = points(box.mesh(), "box ((0.3 0 0.1) (0.4 1 0.2));");
+
+    // Twice the weight, upwards
+    vectorField force(phase->size());
+    forAll(force, i)
+    {
+        force[i] = -2*phase->mass()[i]*down;
+    }
+    phase->setFluidForce(force, vectorField(phase->size(), Zero));
+    phase->advance();
+
+    const scalar t = phase->exchangeInterval();
+    EXPECT_NEAR(phase->velocity()[5].z(), 9.81*t, 1e-9);
+    EXPECT_NEAR
+    (
+        phase->totalForce()[5].z(), 9.81*phase->mass()[5], 1e-9
+    );
+}
+
+
+TEST(materialPointsPhase, aRestartIsExactToTheLastBit)
+{
+    expectRestartIsExact();
+}
+
+
+TEST(ParallelMaterialPointsPhase, aRestartIsExactToTheLastBit)
+{
+    expectRestartIsExact();
+}
+
+
+TEST(materialPointsPhase, pointsLeaveThroughAnOutflowAndAreCounted)
+{
+    testMesh box(slice("patch"));
+    const auto phase = points
+    (
+        box.mesh(),
+        "box ((0.6 0 0) (0.8 1 0.2));",
+        "outflow (xMax);"
+    );
+    for (label i = 0; i < 150; ++i)
+    {
+        phase->advance();
+    }
+
+    EXPECT_GT(phase->nLeft(), 10);
+    EXPECT_EQ(phase->nTotal() + phase->nLeft(), 400);
+    for (const point& p : phase->position())
+    {
+        EXPECT_TRUE(box.mesh().bounds().contains(p));
+    }
+}
+
+
+TEST(materialPointsPhase, pointsStayWithinTheWalls)
+{
+    testMesh box(slice());
+    const auto phase = points(box.mesh(), "box ((0.6 0 0.1) (0.8 1 0.3));");
+    for (label i = 0; i < 200; ++i)
+    {
+        phase->advance();
+        for (const point& p : phase->position())
+        {
+            ASSERT_TRUE(box.mesh().bounds().contains(p)) << p.x() << ' ' << p.z();
+        }
+    }
+}
+
+
+TEST(materialPointsPhase, whatIsWrongIsNamed)
+{
+    testMesh box(slice());
+    const fvMesh& mesh = box.mesh();
+    const string here("box ((0 0 0) (0.2 1 0.2));");
+
+    const auto said = [&](const string& region, const string& rest)
+    {
+        return errorOf([&]() { points(mesh, region, rest); });
+    };
+
+    EXPECT_NE(said(here, "outflow (noSuch);").find("noSuch"), std::string::npos);
+    EXPECT_NE(said(here, "courant 2;").find("courant is 2"), std::string::npos);
+    EXPECT_NE(said(here, "cellsize 2;").find("cellsize"), std::string::npos);
+    EXPECT_NE
+    (
+        said("box ((5 5 5) (6 6 6));", "").find("holds no point"),
+        std::string::npos
+    );
+    EXPECT_NE
+    (
+        said(here, "transfer { model PIC; }").find("APIC FLIP"),
+        std::string::npos
+    );
+}
