@@ -78,7 +78,7 @@ Foam::demCoupling::demCoupling(const fvMesh& mesh, const vector& g)
     warnedOf_(0)
 {
     locateGrains();
-    if (!phase_->restarted())
+    if (!phase_->restarted() && phase_->touchesAtRadius())
     {
         checkWalls();
     }

@@ -50,10 +50,11 @@ Foam::materialPointsPhase::materialPointsPhase
 (
     const fvMesh& mesh,
     const dictionary& dict,
-    const vector& g
+    const vector& g,
+    const label stepsPerExchange
 )
 :
-    granularPhase(mesh, dict),
+    granularPhase(mesh, dict, stepsPerExchange),
     dict_
     (
         keywords::sub
@@ -121,7 +122,7 @@ Foam::materialPointsPhase::materialPointsPhase
 
     Info<< "    " << nTotal() << " points in cells of " << method_.grid().h()
         << " m, step " << timeStep_ << " s, exchange every "
-        << stepsPerExchange() << " steps = " << exchangeInterval() << " s" << nl
+        << stepsPerExchange << " steps = " << exchangeInterval() << " s" << nl
         << endl;
 }
 
