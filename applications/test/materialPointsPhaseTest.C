@@ -3,12 +3,15 @@
 
 #include "OSspecific.H"
 #include "StringStream.H"
+#include "foamCompatibility.H"
 #include "grainSnapshot.H"
 #include "granularPhase.H"
 #include "testMesh.H"
 #include "testNumber.H"
 
 #include <gtest/gtest.h>
+
+#include <functional>
 
 using namespace Foam;
 
@@ -96,7 +99,7 @@ void expectRestartIsExact()
     }
 
     fileName folder(box.time().timePath()/granularPhase::stateFolder);
-    Pstream::scatter(folder);
+    compatibility::broadcast(folder);
     mkDir(folder);
     ASSERT_TRUE(whole->writeState(folder));
     whole->checkOut();
@@ -120,7 +123,7 @@ void expectRestartIsExact()
 TEST(materialPointsPhase, pointsHaveTheMassOfTheBodyAndTheRadiusOfItsSolid)
 {
     testMesh box(slice());
-    const auto phase = points(box.mesh());
+    auto phase = points(box.mesh());
 
     ASSERT_EQ(phase->size(), 400);
     EXPECT_NEAR(sum(scalarField(phase->mass())), 1500*0.2*0.2*0.1, 1e-10);
@@ -136,7 +139,7 @@ TEST(materialPointsPhase, pointsHaveTheMassOfTheBodyAndTheRadiusOfItsSolid)
 TEST(materialPointsPhase, theBaseBearsTheWeightAndTheSnapshotTellsIt)
 {
     testMesh box(slice());
-    const auto phase = points(box.mesh(), "box ((0 0 0) (1 1 0.2));");
+    auto phase = points(box.mesh(), "box ((0 0 0) (1 1 0.2));");
 
     // Stress waves pass; their mean is the weight
     scalar mean = 0;
@@ -164,7 +167,7 @@ TEST(materialPointsPhase, theBaseBearsTheWeightAndTheSnapshotTellsIt)
 TEST(materialPointsPhase, theForceOfTheFluidMovesPoints)
 {
     testMesh box(slice());
-    const auto phase = points(box.mesh(), "box ((0.3 0 0.1) (0.4 1 0.2));");
+    auto phase = points(box.mesh(), "box ((0.3 0 0.1) (0.4 1 0.2));");
 
     // Twice the weight, upwards
     vectorField force(phase->size());
@@ -199,7 +202,7 @@ TEST(ParallelMaterialPointsPhase, aRestartIsExactToTheLastBit)
 TEST(materialPointsPhase, pointsLeaveThroughAnOutflowAndAreCounted)
 {
     testMesh box(slice("patch"));
-    const auto phase = points
+    auto phase = points
     (
         box.mesh(),
         "box ((0.6 0 0) (0.8 1 0.2));",
@@ -222,13 +225,14 @@ TEST(materialPointsPhase, pointsLeaveThroughAnOutflowAndAreCounted)
 TEST(materialPointsPhase, pointsStayWithinTheWalls)
 {
     testMesh box(slice());
-    const auto phase = points(box.mesh(), "box ((0.6 0 0.1) (0.8 1 0.3));");
+    auto phase = points(box.mesh(), "box ((0.6 0 0.1) (0.8 1 0.3));");
     for (label i = 0; i < 200; ++i)
     {
         phase->advance();
         for (const point& p : phase->position())
         {
-            ASSERT_TRUE(box.mesh().bounds().contains(p)) << p.x() << ' ' << p.z();
+            ASSERT_TRUE(box.mesh().bounds().contains(p))
+                << p.x() << ' ' << p.z();
         }
     }
 }

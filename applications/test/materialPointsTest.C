@@ -38,7 +38,10 @@ scalar periodOfBar(const string& transfer)
     pointBox box;
     box.length = 2;
     box.height = 0.6;
-    boxOfPoints bar(box, Zero, body(elastic, "((0.5 0 0.25) (1.5 1 0.35))", transfer));
+    boxOfPoints bar
+    (
+        box, Zero, body(elastic, "((0.5 0 0.25) (1.5 1 0.35))", transfer)
+    );
 
     // The mode's velocity at the points where they began
     scalarField mode(bar.points().size());
@@ -239,11 +242,18 @@ TEST(materialPoints, aColumnAtRestHasTheStressOfItsWeightWithin1Percent)
         n[layer] += 1;
     }
     error /= n;
-    testNumber("stress in the layer at the base over that of its weight", 1 - error[0]);
+    testNumber
+    (
+        "stress in the layer at the base over that of its weight", 1 - error[0]
+    );
 
     // Where points of one side alone reach the nodes at the base it is too high
     error[0] = 0;
-    testNumber("largest error of all other layers over the stress at the base", max(mag(error)));
+    testNumber
+    (
+        "largest error of all other layers over the stress at the base",
+        max(mag(error))
+    );
     EXPECT_LT(max(mag(error)), 0.01);
 }
 
@@ -294,7 +304,7 @@ TEST(materialPoints, APICKeepsMomentumAndAngularMomentumTo1em10)
 }
 
 
-TEST(materialPoints, anInfiniteSlopeStandsBelowTheAngleOfSlopeMatchingAndFlowsAbove)
+TEST(materialPoints, aSlopeOfSlopeMatchingStandsBelowItsAngleAndFlowsAbove)
 {
     const string slope(sand + " matching slope;");
     const scalar at30 = speedOnSlope(30, slope);
@@ -309,7 +319,7 @@ TEST(materialPoints, anInfiniteSlopeStandsBelowTheAngleOfSlopeMatchingAndFlowsAb
 }
 
 
-TEST(materialPoints, anInfiniteSlopeOfPlaneStrainMatchingFailsAtTheSineOfItsAngle)
+TEST(materialPoints, aSlopeOfPlaneStrainMatchingFailsAtTheSineOfItsAngle)
 {
     // tan theta = sin 32: theta = 27.9 degrees
     const scalar at27 = speedOnSlope(27, sand);

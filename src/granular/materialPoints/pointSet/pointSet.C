@@ -82,7 +82,8 @@ void Foam::pointSet::unpack(const UList<char>& buffer)
     {
         each([&](auto& column)
         {
-            std::memcpy(static_cast<void*>(&column[i]), &buffer[at], sizeof(column[i]));
+            void* to = &column[i];
+            std::memcpy(to, &buffer[at], sizeof(column[i]));
             at += sizeof(column[i]);
         });
     }
