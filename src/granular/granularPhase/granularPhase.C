@@ -3,6 +3,8 @@
 
 #include "granularPhase.H"
 
+#include "cloud.H"
+#include "grainSnapshot.H"
 #include "keywords.H"
 
 namespace Foam
@@ -42,6 +44,36 @@ Foam::granularPhase::granularPhase
             << "coarseGraining is " << coarseGraining_
             << ": one computed grain cannot stand for less than one grain."
             << " Give 1 or more." << exit(FatalIOError);
+    }
+}
+
+
+void Foam::granularPhase::checkNoStateLost(const string& beginning) const
+{
+    if (mesh_.time().value() <= SMALL)
+    {
+        return;
+    }
+
+    // Written beside the state by each run with grains, the first beside a fluid
+    // only; but not where it began
+    const fileName folder(cloud::prefix/grainSnapshot::cloudName);
+
+    for (const fileName& trace : {fileName("voidFraction"), folder/"positions"})
+    {
+        const bool found =
+            !fileHandler().filePath(mesh_.time().timePath()/trace).empty();
+
+        if (returnReduce(found, orOp<bool>()))
+        {
+            FatalErrorInFunction
+                << "The state of the grains, " << stateFolder << "/state, is not"
+                << " in time " << mesh_.time().timeName()
+                << " of a run with grains." << nl
+                << "    Go on from a time that has it. To begin with the grains"
+                << " of " << beginning << " there, remove voidFraction and "
+                << folder << " from that time." << exit(FatalError);
+        }
     }
 }
 

@@ -275,31 +275,11 @@ void Foam::liggghtsPhase::createGrains()
     }
     else
     {
-        checkNoStateLost();
+        checkNoStateLost(initialScript_);
         liggghts_.script(initialScript_, mesh_.time().globalPath());
     }
 
     liggghtsChecks::boundary(liggghts_, boundary, initialScript_);
-}
-
-
-void Foam::liggghtsPhase::checkNoStateLost() const
-{
-    // Written by each run with grains beside their state, but not where it began
-    const bool water = !fileHandler().filePath
-    (
-        mesh_.time().timePath()/"voidFraction"
-    ).empty();
-
-    if (mesh_.time().value() > SMALL && returnReduce(water, orOp<bool>()))
-    {
-        FatalErrorInFunction
-            << "The state of the grains, " << stateFolder << "/state, is not in"
-            << " time " << mesh_.time().timeName() << " of a run with grains." << nl
-            << "    Go on from a time that has it. To begin with the grains of "
-            << initialScript_ << " there, remove voidFraction from that time."
-            << exit(FatalError);
-    }
 }
 
 

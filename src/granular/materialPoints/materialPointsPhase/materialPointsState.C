@@ -13,27 +13,16 @@
 
 Foam::fileName Foam::materialPointsPhase::stateOnDisk() const
 {
-    const fileName time(mesh_.time().timePath());
-
     // That of the first rank, wherever the file handler keeps it
-    fileName state(fileHandler().filePath(time/stateFolder/"state"));
+    fileName state
+    (
+        fileHandler().filePath(mesh_.time().timePath()/stateFolder/"state")
+    );
     compatibility::broadcast(state);
 
-    // Written by each run with points beside their state, but not where it began
-    const bool water =
-        returnReduce
-        (
-            !fileHandler().filePath(time/"voidFraction").empty(), orOp<bool>()
-        );
-
-    if (state.empty() && mesh_.time().value() > SMALL && water)
+    if (state.empty())
     {
-        FatalErrorInFunction
-            << "The state of the points, " << stateFolder << "/state, is not in"
-            << " time " << mesh_.time().timeName() << " of a run with points."
-            << nl << "    Go on from a time that has it. To begin with the bodies"
-            << " of constant/granularProperties there, remove voidFraction from"
-            << " that time." << exit(FatalError);
+        checkNoStateLost("constant/granularProperties");
     }
 
     return state;
