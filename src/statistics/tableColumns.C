@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "tableColumns.H"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace statistics
+{
+
+namespace
+{
+
+std::vector<std::string> cellsOf(std::string line)
+{
+    if (!line.empty() && line.back() == '\r')
+    {
+        line.pop_back();
+    }
+    std::istringstream is(line + ',');
+    std::vector<std::string> result;
+    for (std::string cell; std::getline(is, cell, ',');)
+    {
+        result.push_back(cell);
+    }
+    return result;
+}
+
+
+double numberOf(const std::string& cell, const std::string& place)
+{
+    if (cell.empty())
+    {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    char* end = nullptr;
+    const double value = std::strtod(cell.c_str(), &end);
+    if (*end || !std::isfinite(value))
+    {
+        throw std::invalid_argument
+        (
+            '"' + cell + "\" in " + place + " is no number"
+        );
+    }
+    return value;
+}
+
+
+std::vector<int> placesOf
+(
+    const std::vector<std::string>& names,
+    const std::vector<std::string>& heads
+)
+{
+    std::vector<int> result;
+    for (const std::string& name : names)
+    {
+        const auto at = std::find(heads.begin(), heads.end(), name);
+        if (at == heads.end())
+        {
+            throw std::invalid_argument("there is no column " + name);
+        }
+        result.push_back(at - heads.begin());
+    }
+    return result;
+}
+
+} // End anonymous namespace
+
+
+mat readColumns(std::istream& is, const std::vector<std::string>& names)
+{
+    std::string line;
+    std::getline(is, line);
+    const std::vector<std::string> heads = cellsOf(line);
+    const std::vector<int> places = placesOf(names, heads);
+
+    mat result(0, count(names));
+    for (int number = 2; std::getline(is, line); ++number)
+    {
+        const std::string place = "line " + std::to_string(number);
+        const std::vector<std::string> cells = cellsOf(line);
+        if (cells.size() != heads.size())
+        {
+            throw std::invalid_argument
+            (
+                place + " has " + std::to_string(cells.size())
+              + " cells, the line of names " + std::to_string(heads.size())
+            );
+        }
+        result.conservativeResize(result.rows() + 1, Eigen::NoChange);
+        for (int i = 0; i < count(places); ++i)
+        {
+            result(result.rows() - 1, i) =
+                numberOf(cells[places[i]], place + ", column " + names[i]);
+        }
+    }
+    return result;
+}
+
+
+mat completeRows(const mat& table)
+{
+    mat result(table.rows(), table.cols());
+    int n = 0;
+    for (int i = 0; i < table.rows(); ++i)
+    {
+        if (!table.row(i).hasNaN())
+        {
+            result.row(n++) = table.row(i);
+        }
+    }
+    return result.topRows(n);
+}
+
+} // End namespace statistics

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Lines "check,quantity,value,wanted,unit" for statistics.csv on one quantity, from what
+# tableStatistics -compare tells of it:
+#
+#   awk -F, -v q=H -v bound=5 -v nDone=27 -v nRuns=27 -v enough=9 -v scatter= \
+#       -v ofSlices= -f compare.awk
+#
+# bound: of the mean absolute difference [%], 0 for none; scatter: standard deviation
+# between packings, empty where it is not known. Correlations only of "enough" runs, since
+# with few of them mass, diameter and solid fraction rise together.
+
+{ of[$1] = $2 }
+
+function tell(check, what, number, wanted, unit)
+{
+    printf "%s,%s - %s,%s,%s,%s\n", nDone == nRuns ? check : "reported", q, what, \
+        number, wanted, unit
+}
+
+END {
+    # Runs that were done before it was read
+    if (of["pairs"] < nDone)
+    {
+        tell("reported", "runs without it", nDone - of["pairs"])
+        exit
+    }
+    tell(bound ? "atMost" : "reported", "mean absolute difference", \
+        sprintf("%.3g", of["meanAbsoluteDifference"]), bound ? bound : "", "%")
+    tell("reported", "that of the paper's mean for every run", \
+        sprintf("%.3g", of["constantDifference"]), "", "%")
+    tell("reported", "skill over that constant", sprintf("%.2f", of["skill"]))
+    if (nDone < enough) exit
+    tell(bound ? "atLeast" : "reported", "rank correlation", \
+        sprintf("%.3f", of["rankCorrelation"]), bound ? 0.85 : "")
+    if (scatter == "") exit
+    tell("reported", "scatter between packings" ofSlices, \
+        sprintf("%.2g", 100*scatter/of["mean"]), "", "% of the mean")
+    tell("reported", "rank correlation without the chance of the packings - 90 %", \
+        sprintf("%.2f to %.2f", of["rankCorrelationFrom"], of["rankCorrelationTo"]))
+}
