@@ -35,8 +35,10 @@ dictionary bed(const std::string& more = "")
 } // End anonymous namespace
 
 
-TEST(progressiveScouring, hasTheRatesThatThePaperPrintsForThinFlows)
+TEST(progressiveScouring, hasTheRatesOfAnIndependentEvaluationOfEqs1To3)
 {
+    // Evaluated outside this code for T = 2 R tau, a deviation of 0.1 rad and
+    // 2650 kg/m3. The paper does not print them
     const progressiveScouring law(entries(discs), 15, 9.81);
     const std::vector<std::pair<scalar, scalar>> rates
     {
@@ -48,6 +50,17 @@ TEST(progressiveScouring, hasTheRatesThatThePaperPrintsForThinFlows)
     {
         EXPECT_NEAR(law.rate(r.first), r.second, 0.005) << r.first << " Pa";
     }
+}
+
+
+TEST(progressiveScouring, hasTheRangeThatThePaperPrintsFrom260To590Pa)
+{
+    // 0.13 to 0.21 m/s at P1. Its text gives no shear there: Coulomb's is that of a
+    // flow 14 to 32 mm deep
+    const progressiveScouring law(entries(discs), 15, 9.81);
+
+    EXPECT_NEAR(law.rate(260), 0.13, 0.005);
+    EXPECT_NEAR(law.rate(590), 0.21, 0.005);
 }
 
 
