@@ -56,6 +56,26 @@ label possible(const vec& shown, const std::vector<faultKind>& kinds)
     return n;
 }
 
+//- What is added where P1 and P2 are exchanged and a wave of that height passes that
+//  no candidate has [Pa]
+vec exchanged(const scalar wave)
+{
+    const world w(20);
+    vec added = vec::Zero(w.data.size());
+    for (const segment& s : w.data.segments)
+    {
+        s.of(added).array() +=
+            (s.quantity == "pressure" ? wave : 1e-4*wave)
+           *(-((s.x.array() - 2.6)/0.3).square()).exp();
+    }
+    const vec shown = w(truth(-1, 0), 1) + added;
+    const segment& p1 = w.data.segments[0];
+    const segment& p2 = w.data.segments[1];
+    p1.of(added) += p2.of(shown) - p1.of(shown);
+    p2.of(added) += p1.of(shown) - p2.of(shown);
+    return added;
+}
+
 } // End anonymous namespace
 
 
@@ -120,26 +140,39 @@ TEST(misfitSensorFault, theOthersAreStillTold)
 
 TEST(misfitSensorFault, exchangedGaugesAreBothNamedAlsoBesideSomethingUnknown)
 {
-    const world w(20);
     for (const scalar wave : {0., 60.})
     {
-        vec added = vec::Zero(w.data.size());
-        for (const segment& s : w.data.segments)
-        {
-            s.of(added).array() +=
-                (s.quantity == "pressure" ? wave : 1e-4*wave)
-               *(-((s.x.array() - 2.6)/0.3).square()).exp();
-        }
-        const vec shown = w(truth(-1, 0), 1) + added;
-        const segment& p1 = w.data.segments[0];
-        const segment& p2 = w.data.segments[1];
-        p1.of(added) += p2.of(shown) - p1.of(shown);
-        p2.of(added) += p1.of(shown) - p2.of(shown);
-        worldSampler s(truth(-1, 0), 300, added);
+        worldSampler s(truth(-1, 0), 300, exchanged(wave));
         const finding f(diagnose(s));
         expectAnswer(f, "registration", {"P1", "P2"});
         EXPECT_NE(told(f).find("P1 and P2 are exchanged"), std::string::npos);
+        EXPECT_EQ(f.gates.applied(gateKind::alone), f.hasMore());
     }
+}
+
+
+TEST(misfitSensorFault, besideSomethingUnknownAnExchangeMustGainByItself)
+{
+    worldSampler s(truth(-1, 0), 300, exchanged(60));
+    const finding found(diagnose(s));
+    ASSERT_TRUE(found.hasMore());
+    const weighed* known = nullptr;
+    for (const weighed& w : found.explained.all())
+    {
+        known = w.what == found.best().what.known() ? &w : known;
+    }
+    ASSERT_NE(known, nullptr);
+
+    // More than it gains alone, less than both gain
+    const scalar none = found.explained.baseline().score;
+    settings set(worldSettings());
+    set.evidence = none - 0.5*(known->score + found.best().score);
+    worldSampler again(truth(-1, 0), 300, exchanged(60));
+    const finding f(diagnose(again, set));
+    show(f);
+    EXPECT_FALSE(passes(f, "alone"));
+    EXPECT_TRUE(passes(f, "evidence"));
+    EXPECT_EQ(f.verdict, verdictKind::unknown);
 }
 
 

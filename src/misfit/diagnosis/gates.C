@@ -302,7 +302,33 @@ gate stabilityGate
 }
 
 
-//- What the mechanisms of the best gain with nothing unknown beside them
+//- What the mechanisms of the best, or its exchange, gain with nothing unknown beside
+//  them
+scalar gainAlone
+(
+    const sampledModel& m,
+    const explanations& e,
+    const scalar tolerance
+)
+{
+    const hypothesis& what = e.best().what;
+    if (what.mechanisms.size())
+    {
+        return gain(m, what, tolerance);
+    }
+    for (const weighed& w : e.all())
+    {
+        // Weighed with the uncertainty where the exchange moves it
+        if (what.fault && w.what == what.known())
+        {
+            return e.baseline().score - w.score;
+        }
+    }
+    return 0;
+}
+
+
+//- Of a fault only where something unknown is beside it: else this is the evidence
 gate aloneGate
 (
     const settings& set,
@@ -311,7 +337,7 @@ gate aloneGate
 )
 {
     gate g(atLeast(gateKind::alone, alone, set.evidence));
-    g.applies = what.mechanisms.size();
+    g.applies = what.mechanisms.size() || (what.fault && what.unknown);
     return g;
 }
 
@@ -425,9 +451,7 @@ std::map<Foam::word, Foam::misfit::covariance> Foam::misfit::askGates
     scalar alone = 0;
     if (detected)
     {
-        alone =
-            e.best().what.mechanisms.empty() ? 0
-          : gain(*m.fit, e.best().what, set.formulaTolerance);
+        alone = gainAlone(*m.fit, e, set.formulaTolerance);
         f.gates.add
         (
             atLeast
