@@ -3,18 +3,14 @@
 # cases of suspensions and packings:
 #
 #   awk -v d=1e-3 -v rho=1000 -v mu=1e-3 -v rhoS=2650 -v gravity=9.81 \
-#       -f dragLaws.awk -f case.awk
+#       -f dragLaws.awk -f dragBalance.awk -f case.awk
 #
 # d, rhoS: diameter and density of the grains, rho, mu: density and viscosity
-# of the fluid, all in SI. A law has one of the names
-#
-#   DiFelice asPrinted Gidaspow KochHill Beetstra Ergun SchillerNaumann
-#
-# e is the void fraction, U the superficial slip: e times the slip between the
-# grains. What the authors call drag differs. Some mean the whole force of the
+# of the fluid, all in SI. e is the void fraction, U the superficial slip: e times
+# the slip between the grains. What the authors call drag differs. Some mean the whole force of the
 # fluid less hydrostatic buoyancy; others leave out the gradient of the excess
-# pressure, which carries a grain with the share 1 - e of the whole. drag()
-# leaves it out, so that the whole force is drag/e.
+# pressure, which carries a grain with the share 1 - e of the whole. The laws
+# here leave it out, so that the whole force is that of the law over e.
 
 BEGIN { pi = atan2(0, -1) }
 
@@ -96,44 +92,4 @@ function Beetstra(e, U,    s, Re, F)
         *(1/(1 - s) + 3*s*(1 - s) + 8.4*power(Re, -0.343)) \
         /(1 + power(10, 3*s)*power(Re, -(1 + 4*s)/2))
     return 3*pi*mu*d*U*F
-}
-
-# Force on a grain less the share of the pressure gradient [N]
-function drag(law, e, U)
-{
-    if (law == "DiFelice") return DiFelice(e, U)
-    if (law == "asPrinted") return asPrinted(e, U)
-    if (law == "Gidaspow") return Gidaspow(e, U)
-    if (law == "KochHill") return KochHill(e, U)
-    if (law == "Beetstra") return Beetstra(e, U)
-    if (law == "Ergun") return e*ErgunForce(e, U)
-    if (law == "SchillerNaumann") return sphere(U/e, rho*d*U/e/mu)
-    print "dragLaws.awk: there is no law " law > "/dev/stderr"
-    exit 1
-}
-
-# Gradient of the excess pressure along grains that stand still [Pa/m]
-function pressureDrop(law, e, U)
-{
-    return (1 - e)*drag(law, e, U)/e/volume()
-}
-
-function weightUnderWater() { return volume()*(rhoS - rho)*gravity }
-
-# Superficial slip that keeps grains afloat: the speed at which they settle
-# where no volume flows on the whole, and that of the water which begins to
-# lift a packing. All of the grains' weight is carried by the gradient of the
-# excess pressure, (1 - e)(rhoS - rho) g, which acts on the grains with their
-# volume; what is left to drag is the share e of the weight [m/s]
-function floating(law, e,    low, high, middle, i)
-{
-    low = -30
-    high = 5
-    for (i = 0; i < 80; i++)
-    {
-        middle = (low + high)/2
-        if (drag(law, e, exp(middle)) < e*weightUnderWater()) low = middle
-        else high = middle
-    }
-    return exp(middle)
 }

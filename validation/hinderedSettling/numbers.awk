@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Numbers of hinderedSettling, to be read after dragLaws.awk, with d, rho, rhoS
-# and gravity:
+# Numbers of hinderedSettling, to be read after dragLaws.awk and dragBalance.awk, with
+# d, rho, rhoS and gravity:
 #
 #   task=box: for the void fraction e, width of the box [m] and jump of the
 #       pressure across it [Pa]

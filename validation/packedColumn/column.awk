@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # A bed of grains in layers, and what a drag law says of it; to be read after
-# dragLaws.awk. Reads the positions of the grains as the solver writes them.
+# dragLaws.awk and dragBalance.awk. Reads the positions of the grains as the solver
+# writes them.
 #
 # Given are d, rho, rhoS, mu, gravity; area, floor and top of the column, nLayers
 # in it; lower and upper, the layers in whose middle the pressure is taken; the
