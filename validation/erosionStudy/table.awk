@@ -1,17 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The paper's results beside ours, a line for each run. A number of the paper's
-# table that follows from others is computed from them, U with D and M exchanged (see
-# misprint.awk): Fr of Eq 12 and E of Eq 15 from its M, U and h. Its own Fr column and E
-# with it, its U and Fr with that are shown as printed. Differences are in % of the
+# The paper's results beside ours, a line for each run. Differences are in % of the
 # paper's value. L is the eroded length beyond x = 0.6 m, LFromWall reaches from x = 0 to the end
 # of the scar; both are compared with the paper's L, see README.md.
 #
-#   awk -v suffix=-slice -v states=FILE -f table.awk paper.csv rows...
+#   awk -v suffix=-slice -v states=FILE -f paperTable.awk -f table.awk paper.csv rows...
 #
 # states: lines "<run> <what became of it>" for the runs without a row.
 
 BEGIN {
-    FS = ","
     nColumns = split("Fr H L Lc U Ue h E", column, " ")
     while ((getline line < states) > 0)
     {
@@ -20,8 +16,6 @@ BEGIN {
         sub(/^[^ ]* /, "", line)
         state[run] = line
     }
-    g = 9.81
-    cosSlope = cos(20*atan2(0, -1)/180)
 }
 
 # In % of the paper's value
@@ -40,29 +34,6 @@ function readHead(run, scale,    U, h, Fr)
     h = ours[run, "h"] = ours[run, "hhead"]
     Fr = ours[run, "Fr"] = h > 0 ? U/sqrt(g*h*cosSlope) : 0
     ours[run, "E"] = scale*ours[run, "M"]*g*h*(1 + Fr*Fr/2)
-}
-
-FNR == 1 {
-    delete name
-    delete at
-    for (i = 1; i <= NF; i++) { name[i] = $i; at[$i] }
-    isPaper = $2 == "Fr"
-    next
-}
-
-isPaper {
-    runs[++nRuns] = $1
-    for (i = 2; i <= NF; i++) paper[$1, name[i]] = $i
-    split($1, part, /[DMV]/)
-    D[$1] = part[2]/100; M[$1] = part[3]; V[$1] = part[4]/100
-    printed[$1] = paper[$1, "Fr"]
-    root = sqrt(g*paper[$1, "h"]*cosSlope)
-    ours[$1, "UPrinted"] = paper[$1, "UPrinted"]
-    ours[$1, "FrAsPrinted"] = sprintf("%.4g", paper[$1, "UPrinted"]/root)
-    Fr = paper[$1, "U"]/root
-    paper[$1, "Fr"] = Fr
-    paper[$1, "E"] = M[$1]*g*paper[$1, "h"]*(1 + Fr*Fr/2)
-    next
 }
 
 {
