@@ -40,7 +40,7 @@ function conditions(name,    n)
 # The number behind a word of the name, or what the tutorial has
 function varied(name, word, byDefault, unit)
 {
-    if (!match(name, "-" word "[0-9]+")) return byDefault
+    if (!match(name, "-" word "[0-9]+([.][0-9]+)?")) return byDefault
     return substr(name, RSTART + length(word) + 1, RLENGTH - length(word) - 1)*unit
 }
 
