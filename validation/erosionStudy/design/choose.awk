@@ -16,7 +16,7 @@ BEGIN {
     free = "viscosity,rolling,walls,foot"
     print "D,M,V," free ",H,L,Lc" > chutes
     print "D," free ",Urest,Uhead,hhead" > heads
-    print free ",Uhead,hhead,durationHigh,dissipation" > flume
+    print free ",Uhead,hhead,durationHigh" > flume
     print "D,M,V,H,L,Lc" > to "/chuteTargets.csv"
     print "D,M,V" > to "/judged.csv"
     print "D,Urest,Uhead,hhead" > to "/headTargets.csv"
@@ -64,8 +64,7 @@ isPaper {
 }
 
 isFlume {
-    print parameters "," $c["Uhead"] "," $c["hhead"] "," $c["durationHigh"] "," \
-        $c["dissipation"] > flume
+    print parameters "," $c["Uhead"] "," $c["hhead"] "," $c["durationHigh"] > flume
     next
 }
 
