@@ -274,6 +274,45 @@ TEST(misfitSurface, eachUnknownChangedAloneGivesItsQuadratic)
 }
 
 
+TEST(misfitSurface, runsUnderOneValueOfAVariableAreNoneToSpareForItsMixedTerms)
+{
+    // 27 conditions with the same three parameters, and a few runs with others, each at three levels
+    std::mt19937 generator(7);
+    std::uniform_real_distribution<scalar> any(-1, 1);
+    const label nOld = 27;
+    const label nNew = 12;
+    mat x(6, nOld + nNew);
+    for (label r = 0; r < nOld; ++r)
+    {
+        x.col(r) << r % 3 - 1, (r/3) % 3 - 1, r/9 - 1, 1, -2, -1;
+    }
+    for (label r = nOld; r < nOld + nNew; ++r)
+    {
+        x.col(r) << any(generator), any(generator), any(generator),
+            r % 3 - 1, (r/3) % 3 - 1, (r + r/3) % 3 - 1;
+    }
+    mat y(1, x.cols());
+    for (label r = 0; r < x.cols(); ++r)
+    {
+        y(0, r) = any(generator);
+    }
+
+    const vec zero(vec::Zero(6));
+    const vec one(vec::Ones(6));
+    const statistics::responseSurface all(x, y, zero, one);
+    EXPECT_GT(all.leverage().tail(nNew).minCoeff(), 0.95);
+
+    const statistics::responseSurface conditionsOnly
+    (
+        x, y, zero, one, {true, true, true, false, false, false}
+    );
+    EXPECT_EQ(conditionsOnly.nTerms(), 16);
+    EXPECT_EQ(conditionsOnly.leftOut().cols(), nOld + nNew);
+    EXPECT_LT(conditionsOnly.leverage().maxCoeff(), 0.95);
+    EXPECT_NEAR(conditionsOnly.leverage().sum(), 16, 1e-9);
+}
+
+
 TEST(misfitSurface, aBankGivesMixedTermsAndItsOwnError)
 {
     std::mt19937 generator(5);

@@ -31,7 +31,11 @@ statistics::mat statistics::responseSurface::design(const mat& z) const
 }
 
 
-void statistics::responseSurface::choose(const mat& z)
+void statistics::responseSurface::choose
+(
+    const mat& z,
+    const std::vector<bool>& mayMix
+)
 {
     const int n = z.rows();
     std::vector<std::pair<int, int>> possible;
@@ -49,7 +53,10 @@ void statistics::responseSurface::choose(const mat& z)
     {
         for (int j = i + 1; j < n; ++j)
         {
-            possible.push_back({i, j});
+            if (mayMix.empty() || (mayMix[i] && mayMix[j]))
+            {
+                possible.push_back({i, j});
+            }
         }
     }
 
@@ -89,7 +96,8 @@ statistics::responseSurface::responseSurface
     const mat& variables,
     const mat& samples,
     const vec& centre,
-    const vec& width
+    const vec& width,
+    const std::vector<bool>& mayMix
 )
 :
     centre_(centre),
@@ -99,31 +107,29 @@ statistics::responseSurface::responseSurface
 {
     const mat z =
         width.cwiseInverse().asDiagonal()*(variables.colwise() - centre);
-    choose(z);
+    choose(z, mayMix);
 
     const mat d = design(z);
     const Eigen::HouseholderQR<mat> qr(d);
     coefficients_ = qr.solve(samples.transpose());
+    const mat q = qr.householderQ()*mat::Identity(d.rows(), d.cols());
+    leverage_ = q.rowwise().squaredNorm();
 
     if (d.rows() > d.cols())
     {
-        const mat q =
-            qr.householderQ()*mat::Identity(d.rows(), d.cols());
-        const vec leverage = q.rowwise().squaredNorm();
         const mat errors = samples - coefficients_.transpose()*d.transpose();
 
-        // A run that alone fixes a term says nothing about the error
         leftOut_.resize(samples.rows(), 0);
         for (int run = 0; run < d.rows(); ++run)
         {
-            if (leverage[run] < 0.95)
+            if (leverage_[run] < fixesTerm)
             {
                 leftOut_.conservativeResize
                 (
                     Eigen::NoChange, leftOut_.cols() + 1
                 );
                 leftOut_.col(leftOut_.cols() - 1) =
-                    errors.col(run)/(1 - leverage[run]);
+                    errors.col(run)/(1 - leverage_[run]);
             }
         }
     }

@@ -111,7 +111,10 @@ public:
         keywords::check
         (
             dict,
-            {"runs", "conditions", "quantities", "deviations", "targets", "predict"}
+            {
+                "runs", "conditions", "mixed", "quantities", "deviations",
+                "targets", "predict"
+            }
         );
         if (shares.size() != quantities.size() || !shares.size() || min(shares) <= 0)
         {
@@ -126,6 +129,32 @@ public:
         {
             others = columns(csvTable(dict.get<fileName>("predict")), conditions);
         }
+    }
+
+
+    //- Of each variable, whether mixed terms may have it
+    static std::vector<bool> mayMix
+    (
+        const wordList& variables,
+        const dictionary& dict
+    )
+    {
+        const wordList mixed(dict.lookupOrDefault("mixed", variables));
+        for (const word& name : mixed)
+        {
+            if (!variables.found(name))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "mixed names " << name << ", which is neither a condition nor a"
+                    << " parameter. There are " << variables << exit(FatalIOError);
+            }
+        }
+        std::vector<bool> result;
+        for (const word& name : variables)
+        {
+            result.push_back(mixed.found(name));
+        }
+        return result;
     }
 
 
@@ -172,7 +201,7 @@ public:
         }
         surface = std::make_shared<const responseSurface>
         (
-            x, columns(runs, quantities), centre, width
+            x, columns(runs, quantities), centre, width, mayMix(names, dict)
         );
     }
 
@@ -190,6 +219,25 @@ public:
             t.wanted = wanted.col(i);
             t.deviation = t.wanted.cwiseAbs().cwiseProduct(share);
             targets.push_back(t);
+        }
+    }
+
+
+    //- How far the runs check the surface
+    void tellFreedom() const
+    {
+        const auto& leverage = surface->leverage().array();
+        const label bound = (leverage >= responseSurface::fixesTerm).count();
+        Info<< name << ": " << nRuns << " runs, surface of " << surface->nTerms()
+            << " terms, " << nRuns - surface->nTerms()
+            << " degrees of freedom left, largest leverage of a run "
+            << leverage.maxCoeff() << nl;
+        if (bound)
+        {
+            Info<< "    " << bound << " runs have a leverage of "
+                << responseSurface::fixesTerm << " or more: the surface goes through"
+                << " them whatever they came to, and they tell nothing of its error."
+                << " More runs, or fewer variables in mixed" << nl;
         }
     }
 
@@ -290,8 +338,7 @@ int main(int argc, char* argv[])
         experiments.emplace_back(name, kinds.subDict(name), parameters);
         const auto& its = experiments.back().targets;
         targets.insert(targets.end(), its.begin(), its.end());
-        Info<< name << ": " << experiments.back().nRuns << " runs, surface of "
-            << experiments.back().surface->nTerms() << " terms" << endl;
+        experiments.back().tellFreedom();
     }
 
     calibration calibrate(parameters, targets);
