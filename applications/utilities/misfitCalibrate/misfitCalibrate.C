@@ -213,6 +213,18 @@ public:
         const Eigen::Map<const vec> share(shares.cdata(), shares.size());
         for (label i = 0; i < wanted.cols(); ++i)
         {
+            for (label q = 0; q < quantities.size(); ++q)
+            {
+                if (wanted(q, i) == 0)
+                {
+                    FatalErrorInFunction
+                        << "The target of " << quantities[q] << " in " << table.file()
+                        << " is 0, and its deviation, a fraction of it, would be 0,"
+                        << " too. Give a small value instead, and in deviations its"
+                        << " standard deviation as a multiple of that value"
+                        << exit(FatalError);
+                }
+            }
             calibrationTarget t;
             t.surface = surface;
             t.conditions = under.col(i);
