@@ -199,6 +199,26 @@ TEST(ParallelMaterialPointsPhase, aRestartIsExactToTheLastBit)
 }
 
 
+TEST(ParallelMaterialPointsPhase, aStateBeyondTheBuffersOfMPIIsWritten)
+{
+    // On 2 ranks 30 MB each; a buffered message holds 20 MB
+    testMesh box(slice());
+    const string all("box ((0 0 0) (1 1 1));");
+    auto first = points(box.mesh(), all, "pointsPerCell 16;");
+    EXPECT_EQ(first->nTotal(), 40*20*16*16);
+
+    fileName folder(box.time().timePath()/granularPhase::stateFolder);
+    compatibility::broadcast(folder);
+    mkDir(folder);
+    ASSERT_TRUE(first->writeState(folder));
+    first->checkOut();
+
+    auto second = points(box.mesh(), all, "pointsPerCell 16;");
+    EXPECT_TRUE(second->restarted());
+    EXPECT_EQ(furthest(*first, *second), 0);
+}
+
+
 TEST(materialPointsPhase, pointsLeaveThroughAnOutflowAndAreCounted)
 {
     testMesh box(slice("patch"));

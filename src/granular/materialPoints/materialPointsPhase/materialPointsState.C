@@ -11,6 +11,60 @@
 
 #include <fstream>
 
+namespace
+{
+    using namespace Foam;
+
+    //- Points that are written at once: neither the memory that this takes nor
+    //  a message grows with their number
+    constexpr label pieceOfState = 32768;
+
+    //- Points of another rank as bytes, on the first
+    List<char> received(const label rank, const label nPoints)
+    {
+        // Scheduled: what is blocking must fit a buffer of 20 MB
+        List<char> result(nPoints*pointSet::nBytes());
+        const auto nBytes = UIPstream::read
+        (
+            Pstream::commsTypes::scheduled,
+            rank,
+            result.data(),
+            result.size()
+        );
+
+        if (nBytes != result.size())
+        {
+            FatalErrorInFunction
+                << "Rank " << rank << " was to send " << result.size()
+                << " bytes of the state of its points; " << nBytes
+                << " came." << exit(FatalError);
+        }
+        return result;
+    }
+
+
+    //- Points of this rank as bytes, to the first
+    void send(const List<char>& bytes)
+    {
+        const bool sent = UOPstream::write
+        (
+            Pstream::commsTypes::scheduled,
+            Pstream::masterNo(),
+            bytes.cdata(),
+            bytes.size()
+        );
+
+        if (!sent)
+        {
+            FatalErrorInFunction
+                << "The state of the points of rank " << Pstream::myProcNo()
+                << ", " << bytes.size() << " bytes, could not be sent to the"
+                << " first rank, which writes it." << exit(FatalError);
+        }
+    }
+}
+
+
 Foam::fileName Foam::materialPointsPhase::stateOnDisk() const
 {
     // That of the first rank, wherever the file handler keeps it
@@ -41,10 +95,10 @@ Foam::string Foam::materialPointsPhase::heading() const
 }
 
 
-Foam::List<char> Foam::materialPointsPhase::packed()
+Foam::List<char> Foam::materialPointsPhase::packed(const label begin)
 {
     DynamicList<char> result;
-    for (label i = 0; i < size(); ++i)
+    for (label i = begin; i < min(begin + pieceOfState, size()); ++i)
     {
         method_.points().pack(i, result);
     }
@@ -55,44 +109,39 @@ Foam::List<char> Foam::materialPointsPhase::packed()
 bool Foam::materialPointsPhase::writeState(const fileName& folder)
 {
     const fileName aside(folder/"state.incomplete");
-    const List<char> mine(packed());
-    labelList bytes(Pstream::nProcs());
-    bytes[Pstream::myProcNo()] = mine.size();
-    Pstream::gatherList(bytes);
+    labelList n(Pstream::nProcs());
+    n[Pstream::myProcNo()] = size();
+    Pstream::gatherList(n);
 
     bool complete = true;
     if (Pstream::master())
     {
         std::ofstream os(aside, std::ios::binary);
-        os  << heading() << '\n' << method_.sinceSorted() << ' '
-            << sum(bytes)/pointSet::nBytes() << '\n';
-        os.write(mine.cdata(), mine.size());
+        os  << heading() << '\n' << method_.sinceSorted() << ' ' << sum(n)
+            << '\n';
 
-        // One rank at a time: no list is as long as all points
-        for (label rank = 1; rank < Pstream::nProcs(); ++rank)
+        forAll(n, rank)
         {
-            List<char> theirs(bytes[rank]);
-            UIPstream::read
-            (
-                Pstream::commsTypes::blocking,
-                rank,
-                theirs.data(),
-                theirs.size()
-            );
-            os.write(theirs.cdata(), theirs.size());
+            for (label begin = 0; begin < n[rank]; begin += pieceOfState)
+            {
+                const List<char> piece
+                (
+                    rank == Pstream::masterNo()
+                  ? packed(begin)
+                  : received(rank, min(pieceOfState, n[rank] - begin))
+                );
+                os.write(piece.cdata(), piece.size());
+            }
         }
         os.close();
         complete = os.good() && mv(aside, folder/"state");
     }
     else
     {
-        UOPstream::write
-        (
-            Pstream::commsTypes::blocking,
-            Pstream::masterNo(),
-            mine.cdata(),
-            mine.size()
-        );
+        for (label begin = 0; begin < size(); begin += pieceOfState)
+        {
+            send(packed(begin));
+        }
     }
 
     compatibility::broadcast(complete);
