@@ -6,6 +6,7 @@
 #include "foamCompatibility.H"
 #include "grainSnapshot.H"
 #include "granularPhase.H"
+#include "otherMeshes.H"
 #include "testMesh.H"
 #include "testNumber.H"
 
@@ -242,6 +243,32 @@ TEST(materialPointsPhase, pointsLeaveThroughAnOutflowAndAreCounted)
 }
 
 
+TEST(materialPointsPhase, anOutflowThatIsNotAWholeSideIsNamed)
+{
+    testMesh box(slice("patch"));
+    fvMesh& mesh = box.mesh();
+
+    // The last face of the top turns down into the side at xMax
+    movePoints(mesh, [](const point& p)
+    {
+        const bool corner = p.x() > 0.79 && p.z() > 0.39;
+        const bool next = p.x() > 0.74 && p.x() < 0.79 && p.z() > 0.39;
+        return
+            corner ? p - vector(0, 0, 0.025)
+          : next ? p + vector(0.05, 0, 0)
+          : p;
+    });
+    const string here("box ((0 0 0) (0.2 1 0.2));");
+
+    const std::string said
+    (
+        errorOf([&]() { points(mesh, here, "outflow (xMax);"); })
+    );
+    EXPECT_NE(said.find("Patch xMax"), std::string::npos) << said;
+    EXPECT_NE(said.find("faces of zMax"), std::string::npos) << said;
+}
+
+
 TEST(materialPointsPhase, pointsStayWithinTheWalls)
 {
     testMesh box(slice());
@@ -280,6 +307,12 @@ TEST(materialPointsPhase, whatIsWrongIsNamed)
     EXPECT_NE
     (
         said(here, "transfer { model PIC; }").find("APIC FLIP"),
+        std::string::npos
+    );
+    EXPECT_NE
+    (
+        said("box ((0 0 0) (0.2 1 0.2)); } } clay 5; more { none {", "")
+            .find("Entry clay of bodies"),
         std::string::npos
     );
 }

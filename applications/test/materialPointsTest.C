@@ -206,7 +206,7 @@ TEST(materialPoints, wallsTakeTheWeight)
 }
 
 
-TEST(materialPoints, aColumnAtRestHasTheStressOfItsWeightWithin1Percent)
+TEST(materialPoints, stressAtRestIsThatOfTheWeightWithin1PercentSaveAtTheBase)
 {
     pointBox box;
     box.length = 0.2;
@@ -248,6 +248,7 @@ TEST(materialPoints, aColumnAtRestHasTheStressOfItsWeightWithin1Percent)
     );
 
     // Where points of one side alone reach the nodes at the base it is too high
+    EXPECT_LT(mag(error[0]), 0.1);
     error[0] = 0;
     testNumber
     (

@@ -95,7 +95,10 @@ void Foam::materialPointMethod::addBodies
     {
         if (!body.isDict())
         {
-            continue;
+            FatalIOErrorInFunction(bodies)
+                << "Entry " << body.keyword() << " of bodies is no dictionary:"
+                << " give one for each body, with its law, density, E, nu and"
+                << " region." << exit(FatalIOError);
         }
 
         dictionary law(body.dict());

@@ -212,6 +212,56 @@ void Foam::materialPointsPhase::addWalls()
 }
 
 
+bool Foam::materialPointsPhase::liesIn
+(
+    const boundBox& bounds,
+    const label side
+) const
+{
+    const boundBox& box = mesh_.bounds();
+    const direction d = side/2;
+    const scalar at = (side % 2 ? box.max() : box.min())[d];
+    const scalar little = 1e-6*box.mag();
+
+    return
+        mag(bounds.min()[d] - at) < little
+     && mag(bounds.max()[d] - at) < little;
+}
+
+
+void Foam::materialPointsPhase::checkAllOpen
+(
+    const label side,
+    const word& opened,
+    const wordRes& outflow
+) const
+{
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+
+    for (label i = 0; i < patches.nNonProcessor(); ++i)
+    {
+        const polyPatch& patch = patches[i];
+        bool shares = false;
+
+        for (const face& f : patch)
+        {
+            shares =
+                shares || liesIn(boundBox(patch.points(), f, false), side);
+        }
+
+        if (!outflow.match(patch.name()) && returnReduce(shares, orOp<bool>()))
+        {
+            FatalIOErrorInFunction(dict_)
+                << "Patch " << opened << " of outflow is not the whole side of"
+                << " the mesh's box: faces of " << patch.name() << " are in it,"
+                << " too, and points would leave there as well." << nl
+                << "    Name both in outflow, or shape the mesh so that "
+                << opened << " is alone in its side." << exit(FatalIOError);
+        }
+    }
+}
+
+
 void Foam::materialPointsPhase::openSides()
 {
     const polyBoundaryMesh& patches = mesh_.boundaryMesh();
@@ -233,17 +283,9 @@ void Foam::materialPointsPhase::openSides()
 
         for (label side = 0; side < 6; ++side)
         {
-            const boundBox& box = mesh_.bounds();
-            const direction d = side/2;
-            const scalar at = (side % 2 ? box.max() : box.min())[d];
-            const scalar little = 1e-6*box.mag();
-
-            if
-            (
-                mag(bounds.min()[d] - at) < little
-             && mag(bounds.max()[d] - at) < little
-            )
+            if (liesIn(bounds, side))
             {
+                checkAllOpen(side, patch.name(), outflow);
                 method_.open(side);
                 found = true;
             }
