@@ -91,11 +91,10 @@ void Foam::grainExchange::checkMayLeave
              : "beyond these bounds."
            )
         << nl
-        << "    If grains pass a wall: shorten the DEM step or make the"
-        << " grains stiffer. If they start outside: place them in the"
-        << " initial script, in metres. If they may leave: name the"
-        << " patches in"
-        << " LIGGGHTS/outflow of constant/granularProperties."
+        << "    If grains pass a wall: shorten the time step or, with LIGGGHTS,"
+        << " make the grains stiffer. If they start outside: place them in"
+        << " the mesh, in metres. If they may leave: name the patches in "
+        << phase.type() << "/outflow of constant/granularProperties."
         << exit(FatalError);
 }
 
