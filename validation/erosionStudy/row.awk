@@ -38,11 +38,11 @@ function putFront(    flume, head)
     put("Utip", last(flume ? "front summary" : "tip summary", "U"))
 }
 
-# Durations of the pore pressure at the probe
+# Durations of the pore pressure at the probe; one that had not ended stays a text, >9.8,
+# which a table of numbers refuses
 function putPressure(    p)
 {
     split(pressure, p, " ")
-    sub(/^>/, "", p[4])
     put("peak", p[1]); put("durationHigh", p[3]); put("dissipation", p[4])
     put("lambda", p[5])
 }
