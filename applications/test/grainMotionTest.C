@@ -199,6 +199,71 @@ TEST_F(tank, displacementsGoOnFromTheOriginsOfTheRunBefore)
 }
 
 
+TEST_F(tank, aGrainThatCameLaterKeepsItsOriginThroughARestart)
+{
+    const fileName origins(box_.folder()/"postProcessing"/"moved"/"origins");
+    grainSnapshot& g = grains_.grains;
+    {
+        // A hundred grains of which one goes, and one comes in its stead
+        functionObjects::displacedGrains moved("moved", box_.time(), dict(""));
+        ++box_.time();
+        moved.execute();
+        g.id[7] = 2007;
+        ++box_.time();
+        moved.execute();
+        moved.end();
+    }
+    EXPECT_FALSE(isFile(origins + ".incomplete"));
+
+    // Of larger grains two mean diameters would be more than it has gone
+    g.position[7].x() += 0.05;
+    g.d = 0.04;
+    rmDir(box_.folder()/"postProcessing"/"moved"/"0");
+    ++box_.time();
+    functionObjects::displacedGrains moved("moved", box_.time(), dict(""));
+    moved.write();
+    ASSERT_EQ(lastLine("moved", "displacedGrains").size(), 7);
+    EXPECT_EQ(lastLine("moved", "displacedGrains")[1], 1);
+}
+
+
+TEST_F(tank, aRestartFromBeforeAGrainCameTakesItsOriginAnew)
+{
+    grainSnapshot& g = grains_.grains;
+    {
+        functionObjects::displacedGrains moved("moved", box_.time(), dict(""));
+        ++box_.time();
+        moved.execute();
+        g.id[7] = 2007;
+        box_.time().setTime(10*box_.time().value(), 10);
+        moved.execute();
+        moved.end();
+    }
+    g.position[7].x() += 0.05;
+    rmDir(box_.folder()/"postProcessing"/"moved"/"0");
+    box_.time().setTime(box_.time().value()/2, 5);
+    functionObjects::displacedGrains moved("moved", box_.time(), dict(""));
+    moved.write();
+    EXPECT_EQ(lastLine("moved", "displacedGrains")[1], 0);
+}
+
+
+TEST_F(tank, originsThatWereCutOffAreAnError)
+{
+    const fileName origins(box_.folder()/"postProcessing"/"moved"/"origins");
+    functionObjects::displacedGrains before("moved", box_.time(), dict(""));
+    ++box_.time();
+    before.execute();
+
+    std::ifstream is(origins);
+    std::string text((std::istreambuf_iterator<char>(is)), {});
+    std::ofstream(origins) << text.substr(0, text.size()/2);
+    ++box_.time();
+    functionObjects::displacedGrains moved("moved", box_.time(), dict(""));
+    EXPECT_THROW(moved.execute(), Foam::error);
+}
+
+
 TEST_F(tank, circlesTakeGrainsAsDiscs)
 {
     // One layer of discs in the plane of x and z, as thick as the mesh is wide

@@ -24,8 +24,7 @@ Foam::functionObjects::displacedGrains::displacedGrains
 )
 :
     flumeFunctionObject(name, runTime, dict, typeName),
-    origins_(mesh_),
-    d_(0)
+    origins_(mesh_)
 {
     read(dict);
 
@@ -109,7 +108,10 @@ Foam::scalar Foam::functionObjects::displacedGrains::volume
 }
 
 
-void Foam::functionObjects::displacedGrains::begin(const labelList& chosen)
+Foam::scalar Foam::functionObjects::displacedGrains::meanDiameter
+(
+    const labelList& chosen
+) const
 {
     scalar sum = 0;
     for (const label i : chosen)
@@ -117,8 +119,21 @@ void Foam::functionObjects::displacedGrains::begin(const labelList& chosen)
         sum += grains().d[i];
     }
     const label n = returnReduce(chosen.size(), sumOp<label>());
-    d_ = returnReduce(sum, sumOp<scalar>())/max(n, 1);
+    return returnReduce(sum, sumOp<scalar>())/max(n, 1);
+}
 
+
+void Foam::functionObjects::displacedGrains::writeOrigins()
+{
+    if (writeToFile() && origins_.grown())
+    {
+        origins_.write(originsFile());
+    }
+}
+
+
+void Foam::functionObjects::displacedGrains::begin(const labelList& chosen)
+{
     // Origins of now or later are those of an earlier run of this case
     if (origins_.read(originsFile()) && origins_.time < now() - SMALL)
     {
@@ -127,13 +142,11 @@ void Foam::functionObjects::displacedGrains::begin(const labelList& chosen)
 
     origins_.clear();
     origins_.time = now();
+    origins_.d = meanDiameter(chosen);
     origins_.of(grains(), chosen);
-    if (writeToFile())
-    {
-        origins_.write(originsFile());
-    }
+    writeOrigins();
     Info<< type() << " " << name() << ": displacements from time " << now()
-        << " s; mean diameter " << d_ << " m" << endl;
+        << " s; mean diameter " << origins_.d << " m" << endl;
 }
 
 
@@ -141,14 +154,14 @@ bool Foam::functionObjects::displacedGrains::sample()
 {
     const labelList chosen(ofTypes(grains(), types_));
 
-    if (origins_.time >= GREAT)
+    if (origins_.time >= GREAT && returnReduce(chosen.size(), sumOp<label>()))
     {
         begin(chosen);
     }
 
-    const scalar far = threshold_ > 0 ? threshold_ : 2*d_;
+    const scalar far = threshold_ > 0 ? threshold_ : 2*origins_.d;
     const scalar fast =
-        speed_ > 0 ? speed_ : 0.05*sqrt(mag(gravity())*cosSlope()*d_);
+        speed_ > 0 ? speed_ : 0.05*sqrt(mag(gravity())*cosSlope()*origins_.d);
 
     // n, volume, volume times velocity: of those displaced, of those that move
     scalarField sums(6, Zero);
@@ -183,6 +196,12 @@ bool Foam::functionObjects::displacedGrains::sample()
         }
     }
 
+    // Before the time from which a run may go on
+    if (mesh_.time().writeTime())
+    {
+        writeOrigins();
+    }
+
     reduce(sums, sumOp<scalarField>());
     reduce(left, sumOp<scalarField>());
     sums[2] /= max(sums[1], VSMALL);
@@ -202,4 +221,12 @@ void Foam::functionObjects::displacedGrains::report()
     {
         writeLine(file(), line_);
     }
+}
+
+
+bool Foam::functionObjects::displacedGrains::end()
+{
+    // A run that is asked to stop writes a time that was not due
+    writeOrigins();
+    return true;
 }

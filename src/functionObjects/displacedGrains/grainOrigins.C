@@ -7,6 +7,7 @@
 #include "OPstream.H"
 #include "OSspecific.H"
 #include "foamCompatibility.H"
+#include "functionObject.H"
 #include "swapLists.H"
 
 #include <fstream>
@@ -14,6 +15,7 @@
 
 Foam::grainOrigins::grainOrigins(const polyMesh& mesh)
 :
+    clock_(mesh.time()),
     images_(mesh)
 {}
 
@@ -45,9 +47,13 @@ Foam::DynamicList<Foam::grainOrigins::record> Foam::grainOrigins::of
         {
             if (!origins_.found(r.id))
             {
-                origins_.insert(r.id, r.x);
+                origins_.insert
+                (
+                    r.id, Tuple2<point, scalar>(r.x, clock_.value())
+                );
+                grown_ = true;
             }
-            r.origin = origins_[r.id];
+            r.origin = origins_[r.id].first();
             r.displacement = images_.shortest(r.x - r.origin);
             mine.append(r);
         }
@@ -57,43 +63,55 @@ Foam::DynamicList<Foam::grainOrigins::record> Foam::grainOrigins::of
 }
 
 
-void Foam::grainOrigins::write(const fileName& file) const
+void Foam::grainOrigins::write(const fileName& file)
 {
     const labelList ids(origins_.sortedToc());
     pointField places(ids.size());
+    scalarField times(ids.size());
     forAll(ids, i)
     {
-        places[i] = origins_[ids[i]];
+        places[i] = origins_[ids[i]].first();
+        times[i] = origins_[ids[i]].second();
     }
+    const label n = returnReduce(ids.size(), sumOp<label>());
+    grown_ = false;
 
     if (!Pstream::master())
     {
         OPstream(Pstream::commsTypes::scheduled, Pstream::masterNo())()
-            << ids << places;
+            << ids << places << times;
         return;
     }
 
     mkDir(file.path());
-    std::ofstream os(file);
-    os  << std::setprecision(17) << time << '\n';
-    const auto add = [&](const labelList& numbers, const pointField& at)
+    const fileName aside(file + ".incomplete");
+    std::ofstream os(aside);
+    os  << std::setprecision(17) << time << ' ' << d << ' ' << n << '\n';
+    const auto add = [&]
+    (
+        const labelList& numbers,
+        const pointField& at,
+        const scalarField& since
+    )
     {
         forAll(numbers, i)
         {
             os  << numbers[i] << ' ' << at[i].x() << ' ' << at[i].y() << ' '
-                << at[i].z() << '\n';
+                << at[i].z() << ' ' << since[i] << '\n';
         }
     };
 
-    add(ids, places);
+    add(ids, places, times);
     for (label rank = 1; rank < Pstream::nProcs(); ++rank)
     {
         IPstream is(Pstream::commsTypes::scheduled, rank);
         const labelList numbers(is);
-        add(numbers, pointField(is));
+        const pointField at(is);
+        add(numbers, at, scalarField(is));
     }
 
-    if (!os.flush())
+    os.close();
+    if (!os || !mv(aside, file))
     {
         FatalErrorInFunction
             << "Cannot write " << file << nl << "    Is the disk full?"
@@ -102,27 +120,60 @@ void Foam::grainOrigins::write(const fileName& file) const
 }
 
 
+void Foam::grainOrigins::readGrains
+(
+    std::istream& is,
+    const label n,
+    const fileName& file
+)
+{
+    // Half a step: a time folder's name has fewer digits than the time. Written
+    // times are all looked at, and a later grain is not seen before its time
+    const scalar now =
+        functionObject::postProcess
+      ? GREAT : clock_.value() + clock_.deltaTValue()/2;
+
+    for (label i = 0; i < n; ++i)
+    {
+        label id = -1;
+        point p;
+        scalar since = 0;
+
+        if (!(is >> id >> p.x() >> p.y() >> p.z() >> since))
+        {
+            FatalErrorInFunction
+                << file << " has " << i << " of the " << n
+                << " grains that its first line tells of." << nl
+                << "    Bring back the whole file; or remove it, and displacements"
+                << " are those from now on." << exit(FatalError);
+        }
+        if (id % Pstream::nProcs() == Pstream::myProcNo() && since <= now)
+        {
+            origins_.set(id, Tuple2<point, scalar>(p, since));
+        }
+    }
+}
+
+
 bool Foam::grainOrigins::read(const fileName& file)
 {
     std::ifstream is(file);
-    bool found = bool(is >> time);
-    found = returnReduce(found, andOp<bool>());
 
-    if (!found)
+    if (!returnReduce(bool(is), andOp<bool>()))
     {
-        time = GREAT;
         return false;
     }
 
-    label id;
-    point p;
-    while (is >> id >> p.x() >> p.y() >> p.z())
+    label n = 0;
+    if (!(is >> time >> d >> n))
     {
-        if (id % Pstream::nProcs() == Pstream::myProcNo())
-        {
-            origins_.set(id, p);
-        }
+        FatalErrorInFunction
+            << "The first line of " << file << " is not the time, the mean"
+            << " diameter and the number of grains." << nl
+            << "    Bring back the whole file; or remove it, and displacements"
+            << " are those from now on." << exit(FatalError);
     }
+    readGrains(is, n, file);
 
     return true;
 }
