@@ -3,6 +3,8 @@
 
 #include "demCoupling.H"
 #include "exchangeTime.H"
+#include "grainSnapshot.H"
+#include "granularProperties.H"
 #include "saidDuring.H"
 #include "testMesh.H"
 
@@ -108,6 +110,24 @@ TEST(demCoupling, hasNoGrainsWithoutTheirDictionary)
 
     EXPECT_FALSE(grains.active());
     EXPECT_FALSE(grains.due());
+}
+
+
+TEST(localDamping, isNoContactForceOfAGrainThatFalls)
+{
+    boxOfWater w("LIGGGHTS { localDamping 0.7; }");
+    const granularProperties dict(w.box().mesh());
+    autoPtr<granularPhase> grains(dict.makePhase(w.box().mesh(), g));
+    grains->advance();
+    grains->advance();
+
+    const scalar weight = grains->mass()[0]*mag(g);
+    EXPECT_LT(grains->velocity()[0].z(), 0);
+    EXPECT_NEAR(grains->totalForce()[0].z(), -0.3*weight, 1e-9*weight);
+    for (const vector& force : grains->snapshot()->contactForce)
+    {
+        EXPECT_LT(mag(force), 1e-9*weight);
+    }
 }
 
 

@@ -54,11 +54,19 @@ void Foam::fixLocalDamping::damp(double* force, const double* motion) const
 
 void Foam::fixLocalDamping::post_force(int)
 {
+    added_.assign(3*atom->nlocal, 0);
+
     for (int i = 0; i < atom->nlocal; ++i)
     {
         if (atom->mask[i] & groupbit)
         {
-            damp(atom->f[i], atom->v[i]);
+            double* force = atom->f[i];
+            const double before[] = {force[0], force[1], force[2]};
+            damp(force, atom->v[i]);
+            for (int k = 0; k < 3; ++k)
+            {
+                added_[3*i + k] = force[k] - before[k];
+            }
             damp(atom->torque[i], atom->omega[i]);
         }
     }

@@ -78,6 +78,7 @@ Foam::liggghtsPhase::liggghtsPhase
     liggghts_(mesh.time().globalPath()/"log.liggghts"),
     walls_(mesh, keywords::sub(dict_, "walls"), physicsScript_),
     fluid_(nullptr),
+    damping_(nullptr),
     restarted_(false),
     nGrains_(0),
     nInserted_(0),
@@ -371,6 +372,10 @@ void Foam::liggghtsPhase::addOwnFixes()
         os  << "fix interDEMFoamDamping all " << fixLocalDamping::styleName
             << ' ' << localDamping_;
         liggghts_.command(os.str());
+        damping_ = dynamic_cast<fixLocalDamping*>
+        (
+            modify.fix[modify.find_fix("interDEMFoamDamping")]
+        );
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include "Map.H"
 #include "OSspecific.H"
+#include "fixLocalDamping.H"
 #include "foamCompatibility.H"
 #include "grainSnapshot.H"
 #include "fpeGuard.H"
@@ -157,6 +158,13 @@ Foam::autoPtr<Foam::grainSnapshot> Foam::liggghtsPhase::snapshot() const
         grains.d[i] = 2*radius_[i];
         grains.contactForce[i] =
             totalForce_[i] - fluidForce_[i] - mass_[i]*g_;
+
+        // Touching nothing a grain is damped, too
+        if (damping_)
+        {
+            const double* c = damping_->added(i);
+            grains.contactForce[i] -= vector(c[0], c[1], c[2]);
+        }
     }
 
     forAllConstIters(walls_.fixes(), wall)
