@@ -106,6 +106,26 @@ TEST_F(tank, aTrackIsOfTheGrainThatWasNearestAtFirst)
 }
 
 
+TEST_F(tank, aTrackBeginsWhenThereAreGrains)
+{
+    functionObjects::grainTrack track
+    (
+        "track", box_.time(), dict("points ((0.26 0.34 0.02));")
+    );
+    grainSnapshot& g = grains_.grains;
+    g = grainSnapshot(0);
+    ++box_.time();
+    track.write();
+    EXPECT_TRUE(table("track", "grainTrack").empty());
+
+    placeGrains();
+    ++box_.time();
+    track.write();
+    ASSERT_EQ(lastLine("track", "grainTrack").size(), 11);
+    EXPECT_EQ(lastLine("track", "grainTrack")[1], 32);
+}
+
+
 TEST_F(tank, aGrainThatIsGoneIsMissingFromItsTrack)
 {
     functionObjects::grainTrack track("track", box_.time(), dict("ids (7 1000);"));

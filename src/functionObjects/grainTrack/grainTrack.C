@@ -144,7 +144,13 @@ bool Foam::functionObjects::grainTrack::sample()
 {
     if (ids_.empty())
     {
-        ids_ = nearest();
+        // Which are nearest is asked when there are grains
+        const labelList found(nearest());
+        if (found.found(-1))
+        {
+            return false;
+        }
+        ids_ = found;
         setProperty("ids", ids_);
     }
 
