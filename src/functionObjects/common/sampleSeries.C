@@ -3,7 +3,6 @@
 
 #include "sampleSeries.H"
 
-#include "DynamicList.H"
 #include "ListOps.H"
 
 Foam::linearFit::linearFit(const UList<scalar>& x, const UList<scalar>& y)

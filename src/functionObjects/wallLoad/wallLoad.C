@@ -343,9 +343,11 @@ void Foam::functionObjects::wallLoad::report()
         return;
     }
 
+    sampleSeries sum(both());
     scalarList line;
-    for (const sampleSeries& s : {liquid_, grains_, both()})
+    for (const sampleSeries* of : {&liquid_, &grains_, &sum})
     {
+        const sampleSeries& s = *of;
         const label peak = s.peak();
         const scalar t1 = s.times().first();
         const scalar t2 = s.times().last();
