@@ -131,6 +131,18 @@ TEST(localDamping, isNoContactForceOfAGrainThatFalls)
 }
 
 
+TEST(demCoupling, grainsAloneTellTheirNumberAtEachTimeWritten)
+{
+    boxOfWater w;
+    const demCoupling grains(w.box().mesh(), g);
+    const std::string said(saidDuring([&]{ grains.report(); }));
+
+    EXPECT_NE(said.find("Grains: 4 = 4 located + 0 outside"), std::string::npos)
+        << said;
+    EXPECT_EQ(said.find("Exchange"), std::string::npos) << said;
+}
+
+
 TEST(demCoupling, refusesFormerAndUnknownKeysOfItsDictionary)
 {
     const auto error = [](const std::string& entry)

@@ -266,13 +266,19 @@ void Foam::demCoupling::setParticleForces(const vectorField& U)
 
 void Foam::demCoupling::report() const
 {
-    const scalar volume = voidFraction_->mapping().totalVolume();
-
     Info<< "Grains: " << phase_->nTotal() << " = "
         << returnReduce(exchange_->grains().size(), sumOp<label>())
         << " located + " << exchange_->nOutside() << " outside; entered "
-        << phase_->nEntered() << ", left " << phase_->nLeft() << nl
-        << "Exchange: force residual " << forces_->residual()
+        << phase_->nEntered() << ", left " << phase_->nLeft() << endl;
+
+    if (!forces_)
+    {
+        return;
+    }
+
+    const scalar volume = voidFraction_->mapping().totalVolume();
+
+    Info<< "Exchange: force residual " << forces_->residual()
         << ", volume residual "
         << mag(gSum(solidAfter_*mesh_.V()) - volume)/(volume + VSMALL)
         << endl;

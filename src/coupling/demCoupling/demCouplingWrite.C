@@ -54,12 +54,6 @@ bool Foam::demCoupling::write()
 {
     const stageTimes::stage stage(times_, "writeGrains");
 
-    // Beside a fluid they have been located for its forces
-    if (!forces_)
-    {
-        locateGrains();
-    }
-
     const bool cloudComplete = writeCloud();
 
     // One state of all ranks, with the files of the first
