@@ -176,6 +176,45 @@ TEST(misfitSensorFault, besideSomethingUnknownAnExchangeMustGainByItself)
 }
 
 
+TEST(misfitSensorFault, anExchangeIsNotNamedWhereRivalsDisagreeAboutThePartner)
+{
+    // P1 shows what P2 and P2b should; both are too uncertain to say which of them
+    // shows what P1 should
+    const world w(20);
+    const vec right = w(truth(-1, 0), 1);
+    const segment& p1 = w.data.segments[0];
+    const segment& p2 = w.data.segments[1];
+    vec added = vec::Zero(w.data.size());
+    p1.of(added) = p2.of(right) - p1.of(right);
+    p2.of(added) = -0.5*p1.of(added);
+    settings set(worldSettings());
+    set.faults = {faultKind::swapped};
+    worldSampler s(truth(-1, 0), 300, added);
+    s.addGaugeBesideP2(2000);
+    const finding f(diagnose(s, set));
+    expectAnswer(f, "set", {"swapped of P1 with P2", "swapped of P1 with P2b"});
+    EXPECT_FALSE(passes(f, "gap"));
+}
+
+
+TEST(misfitSensorFault, faultsOfOneChannelSayTheSameButAnExchangeHasAPartner)
+{
+    const stacked data(world(20).data);
+    const auto swapped(possibleFaults(data, {faultKind::swapped}));
+    const sensorFault gain(possibleFaults(data, {faultKind::gain}).front());
+    const sensorFault zero(possibleFaults(data, {faultKind::zero}).front());
+    ASSERT_EQ(swapped[0].channel, "P1");
+    ASSERT_EQ(swapped[1].channel, "P1");
+    ASSERT_EQ(gain.channel, "P1");
+
+    EXPECT_TRUE(gain.blamesSame(zero));
+    EXPECT_TRUE(swapped[0].blamesSame(swapped[0]));
+    EXPECT_FALSE(swapped[0].blamesSame(swapped[1]));
+    EXPECT_FALSE(swapped[0].blamesSame(gain));
+    EXPECT_FALSE(gain.blamesSame(swapped[0]));
+}
+
+
 TEST(misfitSensorFault, nothingHasNoUnitAndWhatMovesIsNotDead)
 {
     const vec zero = vec::Zero(20);

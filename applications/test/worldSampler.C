@@ -3,6 +3,23 @@
 
 #include "worldSampler.H"
 
+namespace
+{
+
+Foam::misfit::vec joined
+(
+    const Foam::misfit::vec& a,
+    const Foam::misfit::vec& b
+)
+{
+    Foam::misfit::vec both(a.size() + b.size());
+    both << a, b;
+    return both;
+}
+
+} // End anonymous namespace
+
+
 Foam::misfit::stacked Foam::misfit::worldSampler::gate() const
 {
     stacked s;
@@ -110,6 +127,10 @@ Foam::misfit::samples Foam::misfit::worldSampler::run(const runState& state)
         std::vector<int> keep;
         world_.data.without(2, keep);
         s.fit = rows(f, keep);
+        if (gaugeBeside_)
+        {
+            s.fit = joined(s.fit, data_[0].fit.segments[1].of(s.fit));
+        }
         if (data_[0].gate.size())
         {
             s.gate =
@@ -248,6 +269,19 @@ void Foam::misfit::worldSampler::recordConstant
 {
     stacked& fit = data_[0].fit;
     fit.segments[i].of(fit.y).setConstant(value);
+}
+
+
+void Foam::misfit::worldSampler::addGaugeBesideP2(const scalar uncertainty)
+{
+    gaugeBeside_ = true;
+    stacked& fit = data_[0].fit;
+    fit.segments[1].uncertainty = uncertainty;
+    segment beside(fit.segments[1]);
+    beside.name = "P2b";
+    beside.first = fit.y.size();
+    fit.y = joined(fit.y, fit.segments[1].of(fit.y));
+    fit.segments.push_back(beside);
 }
 
 

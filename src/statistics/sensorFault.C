@@ -79,6 +79,14 @@ bool statistics::sensorFault::operator==(const sensorFault& other) const
 }
 
 
+bool statistics::sensorFault::blamesSame(const sensorFault& other) const
+{
+    const bool exchanged =
+        kind == faultKind::swapped || other.kind == faultKind::swapped;
+    return exchanged ? *this == other : channel == other.channel;
+}
+
+
 statistics::vec statistics::sensorFault::operator()
 (
     const stacked& data,

@@ -40,7 +40,9 @@ bool agrees(const finding& f, const weighed& w)
             return w.what.isNone();
         case verdictKind::sensor:
         case verdictKind::registration:
-            return w.what.fault && w.what.fault->channel == f.names[0];
+            return
+                w.what.fault
+             && w.what.fault->blamesSame(*f.best().what.fault);
         case verdictKind::unknown:
             return w.what.isOnlyUnknown();
         case verdictKind::set:

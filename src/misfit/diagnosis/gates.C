@@ -101,7 +101,7 @@ gate failedGate(const failedExperiment& failed)
 bool saySame(const hypothesis& best, const hypothesis& h)
 {
     return
-        best.fault ? h.fault && h.fault->channel == best.fault->channel
+        best.fault ? h.fault && h.fault->blamesSame(*best.fault)
       : best.isOnlyUnknown() ? h.isOnlyUnknown()
       : h.mechanisms.size() && (h.contains(best) || best.contains(h));
 }

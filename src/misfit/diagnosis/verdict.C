@@ -51,14 +51,14 @@ std::vector<weighed> simplest(const std::vector<weighed>& list)
 }
 
 
-//- True if all are faults of the channel of the best
-bool blameOneChannel(const std::vector<weighed>& near, const hypothesis& best)
+//- True if all are faults of the channel of the best, or its exchange
+bool blameTheSame(const std::vector<weighed>& near, const hypothesis& best)
 {
     for (const weighed& w : near)
     {
         const bool same =
             w.what.fault && best.fault
-         && w.what.fault->channel == best.fault->channel;
+         && w.what.fault->blamesSame(*best.fault);
         if (!same)
         {
             return false;
@@ -90,7 +90,7 @@ void judge(const study& s, const std::vector<weighed>& near, finding& f)
         }
     }
     const hypothesis& best = f.best().what;
-    if (blameOneChannel(near, best))
+    if (blameTheSame(near, best))
     {
         f.verdict =
             best.fault->isRegistration()
