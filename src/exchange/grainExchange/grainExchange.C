@@ -93,7 +93,8 @@ void Foam::grainExchange::checkMayLeave
         << nl
         << "    If grains pass a wall: shorten the time step or, with LIGGGHTS,"
         << " make the grains stiffer. If they start outside: place them in"
-        << " the mesh, in metres. If they may leave: name the patches in "
+        << " the mesh, in metres (LIGGGHTS does so by its initial script)."
+        << " If they may leave: name the patches in "
         << phase.type() << "/outflow of constant/granularProperties."
         << exit(FatalError);
 }
