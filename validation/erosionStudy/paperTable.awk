@@ -1,18 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The paper's table. A number that follows from others is computed from them, U with D and M
 # exchanged (see misprint.awk): Fr of Eq 12 and E of Eq 15 from its M, U and h. Its own Fr
-# column and E with it, its U and Fr with that are kept as printed. Before table.awk.
+# column and E with it, its U and Fr with that are kept as printed. Behind head.awk.
 
 BEGIN {
     FS = ","
-    g = 9.81
-    cosSlope = cos(20*atan2(0, -1)/180)
 }
 
 FNR == 1 {
     delete name
-    delete at
-    for (i = 1; i <= NF; i++) { name[i] = $i; at[$i] }
+    for (i = 1; i <= NF; i++) name[i] = $i
     isPaper = $2 == "Fr"
     next
 }

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What else but the three numbers moves the answers: for each run with one thing
-# varied the difference to the same run without, in %.
+# varied the difference to the same run without, in %; none of a number that one of the
+# two does not have, or has read elsewhere along the chute.
 #
-#   awk -v suffix=-slice -f sensitivity.awk rows...
+#   awk -v suffix=-slice -f head.awk -f sensitivity.awk rows...
 
 BEGIN {
     FS = ","
-    nColumns = split("U h H L Lc Ue Fc E", column, " ")
+    nColumns = split("U h H L Lc Ue Umoving Fc E", column, " ")
+    ofHead["U"]; ofHead["h"]; ofHead["E"]
 }
 
 FNR == 1 {
@@ -16,7 +18,16 @@ FNR == 1 {
 
 {
     order[++n] = $1
-    for (i = 1; i <= NF; i++) value[$1, name[i]] = $i
+    readRow($1, 1)
+}
+
+# In % of the run without the variation
+function difference(run, base, q,    v, v0)
+{
+    v = ours[run, q]
+    v0 = ours[base, q]
+    if (q in ofHead && whereRead(run) != whereRead(base)) return ""
+    return v != "" && v0 ? sprintf("%.1f", 100*(v/v0 - 1)) : ""
 }
 
 END {
@@ -31,12 +42,12 @@ END {
         base = substr(order[r], 1, RLENGTH)
         varied = substr(order[r], RLENGTH + 2)
         if (varied == "") varied = "nothing"
-        printf "%s,%s,%s", base, varied, value[order[r], "ranks"]
+        printf "%s,%s,%s", base, varied, ours[order[r], "ranks"]
         for (c = 1; c <= nColumns; c++)
         {
-            v = value[order[r], column[c]]
-            v0 = value[base, column[c]]
-            printf ",%.4g,%s", v, v0 ? sprintf("%.1f", 100*(v/v0 - 1)) : ""
+            v = ours[order[r], column[c]]
+            printf ",%s,%s", v == "" ? "" : sprintf("%.4g", v), \
+                difference(order[r], base, column[c])
         }
         print ""
     }

@@ -3,7 +3,7 @@
 # paper's value. L is the eroded length beyond x = 0.6 m, LFromWall reaches from x = 0 to the end
 # of the scar; both are compared with the paper's L, see README.md.
 #
-#   awk -v suffix=-slice -v states=FILE -f paperTable.awk -f table.awk paper.csv rows...
+#   awk -v suffix=-slice -v states=FILE -f head.awk -f paperTable.awk -f table.awk paper.csv rows...
 #
 # states: lines "<run> <what became of it>" for the runs without a row.
 
@@ -24,31 +24,13 @@ function difference(v, wanted)
     return v == "" ? "" : sprintf("%.1f", 100*(v/wanted - 1))
 }
 
-# U and h where heads take shape in place of those over the whole reach, and Fr and E with
-# them (Eqs 12 and 15)
-function readHead(run, scale,    U, h, Fr)
-{
-    ours[run, "Ureach"] = ours[run, "U"]
-    ours[run, "hreach"] = ours[run, "h"]
-    U = ours[run, "U"] = ours[run, "Uhead"]
-    h = ours[run, "h"] = ours[run, "hhead"]
-    Fr = ours[run, "Fr"] = h > 0 ? U/sqrt(g*h*cosSlope) : 0
-    ours[run, "E"] = scale*ours[run, "M"]*g*h*(1 + Fr*Fr/2)
-}
-
 {
     run = $1
     if (suffix != "" && !sub(suffix "$", "", run)) next
     if (!(run in M)) next
-    # A slice of a fifth of the width has a fifth of the mass and energy
     scale = suffix == "" ? 1 : 5
     state[run] = "done"
-    for (i = 2; i <= NF; i++) ours[run, name[i]] = $i
-    ours[run, "E"] *= scale
-    if ("Uhead" in at) readHead(run, scale)
-    # The paper's U_e is that of the whole bed; what moves is kept beside it
-    ours[run, "Umoving"] = ours[run, "Ue"]
-    ours[run, "Ue"] = "Ubed" in at ? ours[run, "Ubed"] : ""
+    readRow(run, scale)
     ours[run, "LFromWall"] = ours[run, "xEnd"]
     ours[run, "LFromWallDifference"] = difference(ours[run, "xEnd"], paper[run, "L"])
     ours[run, "LcFarthestDifference"] = \

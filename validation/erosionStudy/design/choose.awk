@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The rows of runs as tables of numbers for misfitCalibrate, and what they are to come to:
 #
-#   awk -v to=design -f design/choose.awk paper.csv rows...
+#   awk -v to=design -f design/choose.awk design/choosing paper.csv rows...
 #
 # Writes chutes.csv (H, L, L_c of runs of the chute), heads.csv (of those that have them:
 # the bed's velocity at the end, U and h where heads take shape), flume.csv (the bare flume), and beside them the
@@ -10,8 +10,6 @@
 
 BEGIN {
     FS = ","
-    split("D2M185V55 D4M115V55 D3M150V50", three, " ")
-    for (i in three) chooses[three[i]]
     chutes = to "/chutes.csv"; heads = to "/heads.csv"; flume = to "/flume.csv"
     free = "viscosity,rolling,walls,foot"
     print "D,M,V," free ",H,L,Lc" > chutes
@@ -20,6 +18,11 @@ BEGIN {
     print "D,M,V,H,L,Lc" > to "/chuteTargets.csv"
     print "D,M,V" > to "/judged.csv"
     print "D,Urest,Uhead,hhead" > to "/headTargets.csv"
+}
+
+NR == FNR {
+    if (!/^#/) chooses[$1]
+    next
 }
 
 FNR == 1 {
