@@ -24,7 +24,7 @@ namespace
 channel make(const files& f, const std::string& entries, const label n = 40)
 {
     IStringStream is(pressure + entries);
-    return channel("S1", dictionary(is), purpose::fit, f.folder(), n);
+    return channel("S1", dictionary(is), purpose::calibration, f.folder(), n);
 }
 
 
@@ -326,7 +326,7 @@ TEST(misfitChannel, anUnknownKeyOrQuantityIsRefused)
     );
     try
     {
-        channel("S1", dictionary(is), purpose::fit, f.folder(), 40);
+        channel("S1", dictionary(is), purpose::calibration, f.folder(), 40);
         ADD_FAILURE();
     }
     catch (const Foam::error& e)

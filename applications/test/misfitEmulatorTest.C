@@ -196,7 +196,7 @@ public:
         data_(1)
     {
         data_[0].experiment = "A";
-        data_[0].use = purpose::fit;
+        data_[0].use = purpose::calibration;
     }
 
     List<samples> operator()(const List<runState>& states) override

@@ -73,7 +73,7 @@ TEST(misfitObservers, aProbeOutsideTheMeshIsRefused)
             "quantity pressure; uncertainty 1; place " + place
           + "; simulated { type probe; field p; }"
         );
-        const channel c("S1", dictionary(is), purpose::fit, "", 40);
+        const channel c("S1", dictionary(is), purpose::calibration, "", 40);
         PtrList<observer> observers;
         observers.append(observer::New(c).ptr());
         return refusal([&](){ checkPlaces(m.mesh(), observers); });
@@ -97,7 +97,7 @@ TEST(misfitObservers, aNumberAloneIsTheLastLineOfItsTable)
     );
     const channel recorded
     (
-        "depth", dictionary(is), purpose::fit, c.folder(), 40
+        "depth", dictionary(is), purpose::calibration, c.folder(), 40
     );
     const series s(observer::New(recorded)->read(c.folder()));
     EXPECT_NEAR(recorded.sampled(s)[0], 7, 1e-12);
@@ -124,7 +124,7 @@ TEST(misfitObservers, aProfileIsTheShareOfWaterInEachColumnOfCellsTimesTheHeight
             " simulated { type profile; function view; height " + height + "; }"
         );
         c.write("p.csv", "x_m,y_m\n0.1,0.2\n0.2,0.15\n0.3,0.1\n");
-        return channel("surface", dictionary(is), purpose::fit, c.folder(), 40);
+        return channel("surface", dictionary(is), purpose::calibration, c.folder(), 40);
     };
     const channel recorded(profile("0.4"));
     const series s(observer::New(recorded)->read(c.folder()));
@@ -271,7 +271,7 @@ TEST(misfitObservers, aRehearsalLeavesTheCaseAsItIs)
     fakePredictor p
     (
         c,
-        "experiments { A { use fit; changes ("
+        "experiments { A { use calibration; changes ("
         " { file \"constant/script\"; variable mu; value 0.3; } ); } }"
     );
     p.predict.predict({withSlope(2)});

@@ -43,11 +43,11 @@ TEST(misfitRecordings, heldOutChannelsAreNotFitted)
     files f;
     f.write("a.csv", "t_s,p_Pa\n0,1\n1,2\n2,4\n");
     f.write("b.csv", "t_s,p_Pa\n0,1\n1,3\n2,4\n");
-    IStringStream is(twoChannels + "heldOut { gate (S2); }");
+    IStringStream is(twoChannels + "heldOut { validation (S2); }");
     const dictionary dict(is);
     const recordings all(dict, f.folder());
-    EXPECT_EQ(all.select("A", purpose::fit), labelList({0}));
-    EXPECT_EQ(all.select("A", purpose::gate), labelList({1}));
+    EXPECT_EQ(all.select("A", purpose::calibration), labelList({0}));
+    EXPECT_EQ(all.select("A", purpose::validation), labelList({1}));
     all.checkEnough(dict, 3);
 }
 
@@ -59,13 +59,13 @@ TEST(misfitRecordings, allChannelsOfAHeldOutExperimentAreHeldOut)
     f.write("b.csv", "t_s,p_Pa\n0,1\n1,3\n2,4\n");
     IStringStream is
     (
-        "experiments { A {} B { use score; } } channels { S1 {" + pressure
+        "experiments { A {} B { use test; } } channels { S1 {" + pressure
       + "file \"a.csv\"; } S2 {" + pressure
       + "file \"b.csv\"; experiment B; } }"
     );
     const recordings all(dictionary(is), f.folder());
-    EXPECT_EQ(all.select("B", purpose::score), labelList({1}));
-    EXPECT_TRUE(all.select("B", purpose::fit).empty());
+    EXPECT_EQ(all.select("B", purpose::test), labelList({1}));
+    EXPECT_TRUE(all.select("B", purpose::calibration).empty());
 }
 
 
@@ -76,30 +76,30 @@ TEST(misfitRecordings, whatIsSealedIsNotUsedWhereItsExperimentGates)
     f.write("b.csv", "t_s,p_Pa\n0,1\n1,3\n2,4\n");
     IStringStream is
     (
-        "experiments { A {} B { use gate; } } channels { S1 {" + pressure
+        "experiments { A {} B { use validation; } } channels { S1 {" + pressure
       + "file \"a.csv\"; } S2 {" + pressure
-      + "file \"b.csv\"; experiment B; } } heldOut { score (S2); }"
+      + "file \"b.csv\"; experiment B; } } heldOut { test (S2); }"
     );
     const recordings all(dictionary(is), f.folder());
-    EXPECT_EQ(all.select("B", purpose::score), labelList({1}));
-    EXPECT_TRUE(all.select("B", purpose::gate).empty());
+    EXPECT_EQ(all.select("B", purpose::test), labelList({1}));
+    EXPECT_TRUE(all.select("B", purpose::validation).empty());
 }
 
 
 TEST(misfitRecordings, heldOutDataListedTwiceIsRefused)
 {
     const std::string twice("heldOut lists S2 twice");
-    expectSays(refusalOfAll(twoChannels + "heldOut { gate (S2 S2); }"), twice);
+    expectSays(refusalOfAll(twoChannels + "heldOut { validation (S2 S2); }"), twice);
     expectSays
     (
-        refusalOfAll(twoChannels + "heldOut { gate (S2); score (S2); }"), twice
+        refusalOfAll(twoChannels + "heldOut { validation (S2); test (S2); }"), twice
     );
     expectSays
     (
         refusalOfAll
         (
             "channels { S1 {" + pressure + "file \"a.csv\"; } S2 {" + pressure
-          + "file \"a.csv\"; } } heldOut { gate (S2); }"
+          + "file \"a.csv\"; } } heldOut { validation (S2); }"
         ),
         "are the same numbers"
     );
@@ -113,7 +113,7 @@ TEST(misfitRecordings, aPartOfHeldOutDataIsRefusedTwoPartsOfAFileAreNot)
         return
             "channels { S1 {" + pressure + "file \"a.csv\"; interval (" + first
           + "); } S2 {" + pressure + "file \"a.csv\"; interval (" + second
-          + "); } } heldOut { gate (S2); }";
+          + "); } } heldOut { validation (S2); }";
     };
     files f;
     f.write("a.csv", "t_s,p_Pa\n0,1\n1,2\n2,4\n3,5\n4,6\n5,6\n");
@@ -139,7 +139,7 @@ TEST(misfitRecordings, whatIsHeldOutMustBeRecorded)
         refusalOfAll
         (
             "channels { S1 {" + pressure + "file \"a.csv\"; } S2 {" + pressure
-          + "} } heldOut { gate (S2); }"
+          + "} } heldOut { validation (S2); }"
         ),
         "has no recording"
     );
@@ -147,7 +147,7 @@ TEST(misfitRecordings, whatIsHeldOutMustBeRecorded)
     (
         refusalOfAll
         (
-            twoChannels + "experiments { A { } B { use gate; } }"
+            twoChannels + "experiments { A { } B { use validation; } }"
         ),
         "experiment B has no recorded channel"
     );
@@ -159,7 +159,7 @@ TEST(misfitRecordings, aCopyOfHeldOutDataIsRefused)
     files f;
     f.write("a.csv", "t_s,p_Pa\n0,1\n1,2\n2,4\n");
     f.write("b.csv", "# a copy\nt_s,p_kPa\n0,0.001\n1,0.002\n2,0.004\n");
-    IStringStream is(twoChannels + "heldOut { gate (S2); }");
+    IStringStream is(twoChannels + "heldOut { validation (S2); }");
     EXPECT_THROW(recordings(dictionary(is), f.folder()), Foam::error);
 }
 
@@ -169,7 +169,7 @@ TEST(misfitRecordings, twoSensorsThatStayDryAreNotTakenForACopy)
     files f;
     f.write("a.csv", "t_s,p_Pa\n0,0\n1,0\n2,0\n");
     f.write("b.csv", "t_s,p_Pa\n0,0\n1,0\n2,0\n");
-    IStringStream is(twoChannels + "heldOut { gate (S2); }");
+    IStringStream is(twoChannels + "heldOut { validation (S2); }");
     EXPECT_NO_THROW(recordings(dictionary(is), f.folder()));
 }
 
@@ -194,12 +194,33 @@ TEST(misfitRecordings, anUnknownNameIsRefused)
 {
     expectSays
     (
-        refusalOfAll(twoChannels + "heldOut { gate (S3); }"), "which is no channel"
+        refusalOfAll(twoChannels + "heldOut { validation (S3); }"),
+        "which is no channel"
     );
     expectSays
     (
         refusalOfAll(twoChannels + "experiments { B { } }"),
         "Experiments: B"
+    );
+}
+
+
+TEST(misfitRecordings, aFormerNameOfAUseIsRefusedWithThePresentOne)
+{
+    expectSays
+    (
+        refusalOfAll(twoChannels + "heldOut { gate (S2); }"),
+        "is called validation now"
+    );
+    expectSays
+    (
+        refusalOfAll(twoChannels + "heldOut { score (S2); }"),
+        "is called test now"
+    );
+    expectSays
+    (
+        refusalOfAll(twoChannels + "experiments { A { use fit; } }"),
+        "is called calibration now"
     );
 }
 
@@ -215,7 +236,7 @@ TEST(misfitRecordings, nothingLeftToFitIsRefused)
 {
     expectSays
     (
-        refusalOfAll(twoChannels + "heldOut { gate (S1); score (S2); }"),
-        "No recorded channel is left to fit"
+        refusalOfAll(twoChannels + "heldOut { validation (S1); test (S2); }"),
+        "No recorded channel is left to calibrate with"
     );
 }

@@ -57,7 +57,7 @@ finding found()
     };
     f.held.append
     ({
-        heldOut::part::channels, "A", purpose::gate, w.data, base, w.data.y,
+        heldOut::part::validation, "A", purpose::validation, w.data, base, w.data.y,
         f.sigma, 9, 1, 1.5
     });
     weighed best;
@@ -172,7 +172,7 @@ TEST(misfitReport, theRecordIsOfItsSchemaAndReadsBackAsItWasFound)
         ASSERT_TRUE(j.contains(key.first)) << key.first;
         EXPECT_EQ(j[key.first].type(), key.second) << key.first;
     }
-    EXPECT_EQ(j["schema"], 2);
+    EXPECT_EQ(j["schema"], 3);
     EXPECT_EQ(verdictNames[word(j["verdict"].get<std::string>())], f.verdict);
     EXPECT_EQ(j["names"].get<std::vector<std::string>>().front(), f.names[0]);
     EXPECT_EQ(j["confidence"], f.confidence);

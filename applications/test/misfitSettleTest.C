@@ -42,14 +42,14 @@ public:
         with.compute = [this](const vec& x)
         {
             samples s;
-            s.fit = steepness_*x;
+            s.calibration = steepness_*x;
             s.failure = x[0] < limit_ ? "below the limit" : "";
             return s;
         };
         with.passThrough = [this](const vec& x, const samples& s)
         {
             at_ = x[0];
-            given_ = s.fit[0];
+            given_ = s.calibration[0];
         };
         with.stay = [this](weighed n)
         {
@@ -83,7 +83,7 @@ TEST(misfitSettle, whatGoesToAndFroTurnsBackAndEndsWhereItWasComputed)
     const refitted s(steepSolver(3).from(1));
     EXPECT_LT(mag(s.variables[0]), 0.3);
     EXPECT_EQ(s.best.best.x[0], s.variables[0]);
-    EXPECT_EQ(s.given.fit[0], 3*s.variables[0]);
+    EXPECT_EQ(s.given.calibration[0], 3*s.variables[0]);
     EXPECT_NEAR(s.best.score, sqr(3*s.variables[0]), 1e-12);
 }
 

@@ -261,7 +261,7 @@ TEST(misfitUnknown, noiseAloneLeavesTheCorrectionZero)
         (
             fitCorrection
             (
-                asked, m, m.fit->weigh(set.formulaTolerance).base(), {}, runs
+                asked, m, m.calibration->weigh(set.formulaTolerance).base(), {}, runs
             )
         );
         EXPECT_TRUE(c.elements.empty()) << told(c);

@@ -20,7 +20,7 @@ Foam::misfit::vec joined
 } // End anonymous namespace
 
 
-Foam::misfit::stacked Foam::misfit::worldSampler::gate() const
+Foam::misfit::stacked Foam::misfit::worldSampler::validation() const
 {
     stacked s;
     s.segments = std::vector<segment>({world_.data.segments[2]});
@@ -126,20 +126,21 @@ Foam::misfit::samples Foam::misfit::worldSampler::run(const runState& state)
     {
         std::vector<int> keep;
         world_.data.without(2, keep);
-        s.fit = rows(f, keep);
+        s.calibration = rows(f, keep);
         if (gaugeBeside_)
         {
-            s.fit = joined(s.fit, data_[0].fit.segments[1].of(s.fit));
+            const segment& beside = data_[0].calibration.segments[1];
+            s.calibration = joined(s.calibration, beside.of(s.calibration));
         }
-        if (data_[0].gate.size())
+        if (data_[0].validation.size())
         {
-            s.gate =
-                world_.data.segments[2].of(f).head(data_[0].gate.size());
+            s.validation =
+                world_.data.segments[2].of(f).head(data_[0].validation.size());
         }
     }
     else
     {
-        s.gate = f;
+        s.validation = f;
     }
     return s;
 }
@@ -168,15 +169,15 @@ Foam::misfit::worldSampler::worldSampler
         std::vector<int> keep;
         observed o;
         o.experiment = e;
-        o.use = e == "A" ? purpose::fit : purpose::gate;
+        o.use = e == "A" ? purpose::calibration : purpose::validation;
         if (e == "A")
         {
-            o.fit = world_.data.without(2, keep);
-            o.gate = gate();
+            o.calibration = world_.data.without(2, keep);
+            o.validation = validation();
         }
         else
         {
-            o.gate = world_.data;
+            o.validation = world_.data;
         }
         data_.append(o);
     }
@@ -185,14 +186,14 @@ Foam::misfit::worldSampler::worldSampler
 
 void Foam::misfit::worldSampler::mislabel(const scalar factor)
 {
-    stacked& fit = data_[0].fit;
-    fit.segments[0].of(fit.y) *= factor;
+    stacked& calibration = data_[0].calibration;
+    calibration.segments[0].of(calibration.y) *= factor;
 }
 
 
 void Foam::misfit::worldSampler::mislabelHeldOut(const scalar factor)
 {
-    data_[0].gate.y *= factor;
+    data_[0].validation.y *= factor;
 }
 
 
@@ -244,17 +245,17 @@ void Foam::misfit::worldSampler::scatterPackings(const scalar deviation)
     for (observed& o : data_)
     {
         const scalar recorded = drawn(o.experiment, 1 + world_.data.y.sum());
-        o.fit.y *= recorded;
-        o.gate.y *= recorded;
+        o.calibration.y *= recorded;
+        o.validation.y *= recorded;
     }
 }
 
 
 void Foam::misfit::worldSampler::weakenGains(const scalar share)
 {
-    data_[0].gate = stacked();
-    data_[0].fit.y *= 1 - share;
-    for (segment& s : data_[0].fit.segments)
+    data_[0].validation = stacked();
+    data_[0].calibration.y *= 1 - share;
+    for (segment& s : data_[0].calibration.segments)
     {
         s.gainUncertainty = share;
     }
@@ -267,21 +268,21 @@ void Foam::misfit::worldSampler::recordConstant
     const scalar value
 )
 {
-    stacked& fit = data_[0].fit;
-    fit.segments[i].of(fit.y).setConstant(value);
+    stacked& calibration = data_[0].calibration;
+    calibration.segments[i].of(calibration.y).setConstant(value);
 }
 
 
 void Foam::misfit::worldSampler::addGaugeBesideP2(const scalar uncertainty)
 {
     gaugeBeside_ = true;
-    stacked& fit = data_[0].fit;
-    fit.segments[1].uncertainty = uncertainty;
-    segment beside(fit.segments[1]);
+    stacked& calibration = data_[0].calibration;
+    calibration.segments[1].uncertainty = uncertainty;
+    segment beside(calibration.segments[1]);
     beside.name = "P2b";
-    beside.first = fit.y.size();
-    fit.y = joined(fit.y, fit.segments[1].of(fit.y));
-    fit.segments.push_back(beside);
+    beside.first = calibration.y.size();
+    calibration.y = joined(calibration.y, calibration.segments[1].of(calibration.y));
+    calibration.segments.push_back(beside);
 }
 
 
@@ -313,7 +314,7 @@ void Foam::misfit::worldSampler::failIn(const word& experiment)
 void Foam::misfit::worldSampler::holdNothingOut()
 {
     data_.resize(1);
-    data_[0].gate = stacked();
+    data_[0].validation = stacked();
 }
 
 
@@ -327,7 +328,7 @@ void Foam::misfit::worldSampler::holdOutLessOf
     vec without = x;
     without.tail(x.size() - world::nParameters).setZero();
     const vec effect = world_(x) - world_(without);
-    data_[0].gate.y -= (1 - share)*world_.data.segments[2].of(effect);
+    data_[0].validation.y -= (1 - share)*world_.data.segments[2].of(effect);
 }
 
 
@@ -338,7 +339,7 @@ void Foam::misfit::worldSampler::holdOutFew
 )
 {
     data_.resize(1);
-    stacked& g = data_[0].gate;
+    stacked& g = data_[0].validation;
     segment& few = g.segments[0];
     few.size = samples;
     few.x = vec(few.x.head(samples));
@@ -353,7 +354,7 @@ void Foam::misfit::worldSampler::addContradiction()
     o.experiment = "D";
     vec x = vec::Zero(world_.bounds.mean.size());
     x[0] = -0.3;
-    o.gate.y = world_(x);
+    o.validation.y = world_(x);
     data_.append(o);
 }
 

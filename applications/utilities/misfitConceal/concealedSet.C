@@ -42,7 +42,7 @@ public:
         data_(1)
     {
         data_[0].experiment = "A";
-        data_[0].use = purpose::fit;
+        data_[0].use = purpose::calibration;
     }
 
     List<samples> operator()(const List<runState>& states) override
@@ -141,8 +141,8 @@ Foam::misfit::concealedSide::concealedSide
     {
         return;
     }
-    wordList deciding(bare_.experiments(purpose::fit));
-    deciding.append(bare_.experiments(purpose::gate));
+    wordList deciding(bare_.experiments(purpose::calibration));
+    deciding.append(bare_.experiments(purpose::validation));
     states_ = bankStates(set, bare_.experiments(), deciding, packing(side));
     const List<prediction> all(runs(banks/side + ".txt", states_));
     forAll(states_, i)

@@ -76,7 +76,7 @@ json effect(const finding& f, const settings& set, sampler& ask)
         );
         if (two[0].ok() && two[1].ok())
         {
-            for (const scalar d : vec(two[0].fit - two[1].fit))
+            for (const scalar d : vec(two[0].calibration - two[1].calibration))
             {
                 list.push_back(d);
             }

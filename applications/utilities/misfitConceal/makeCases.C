@@ -126,7 +126,7 @@ wordList fittedChannels(const recordings& all)
     wordList names;
     for (const channel& c : all.channels())
     {
-        if (c.experiment() == "A" && c.use() == purpose::fit)
+        if (c.experiment() == "A" && c.use() == purpose::calibration)
         {
             names.append(c.name());
         }

@@ -164,10 +164,10 @@ Foam::scalar Foam::misfit::openedCase::onset() const
 
 void Foam::misfit::scores::addRemoved(const openedCase& c)
 {
-    addGone(probes_.values, c.verdict["heldOut"], "scored channels");
+    addGone(probes_.values, c.verdict["heldOut"], "test channels");
     addGone(experiment_.values, c.verdict["heldOut"], "experiment C");
     const json& rival = c.proof["gaussianProcess"];
-    addGone(probesRival_.values, rival, "scored channels");
+    addGone(probesRival_.values, rival, "test channels");
     addGone(experimentRival_.values, rival, "experiment C");
 }
 

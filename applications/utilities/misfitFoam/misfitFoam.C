@@ -37,10 +37,10 @@ void tellPlan
     Info<< "Refit of the best explanations: " << refits << " to " << refits*set.passes
         << " runs at states that the sensitivities will show" << nl
         << "Gates: " << 2*set.common
-        << " runs of each experiment that is scored, up to "
+        << " runs of each test experiment, up to "
         << (2 + set.parameters.size())*set.common + set.packings
          + set.resolutions.size()
-        << " of each that gates" << nl;
+        << " of each validation experiment" << nl;
     if (set.correction.size())
     {
         Info<< "Free correction: at most " << 4*set.passes*set.common

@@ -40,9 +40,9 @@ std::vector<int> alwaysFailing
 
 //- What candidates, as far as they were run, and sensor faults would change in the
 //  fitted samples: a column for each
-mat shapes(const study& s, const sampledModel& fit, const weighed& base)
+mat shapes(const study& s, const sampledModel& calibration, const weighed& base)
 {
-    mat all(fit.size(), 0);
+    mat all(calibration.size(), 0);
     const auto add = [&all](const vec& change)
     {
         if (change.norm() > SMALL)
@@ -51,7 +51,7 @@ mat shapes(const study& s, const sampledModel& fit, const weighed& base)
         }
     };
 
-    const vec at = fit.model(base.what).expand(base.best.x);
+    const vec at = calibration.model(base.what).expand(base.best.x);
     forAll(s.set().candidates, i)
     {
         // A weak effect may look otherwise than a strong one, as one that delays
@@ -60,14 +60,14 @@ mat shapes(const study& s, const sampledModel& fit, const weighed& base)
         {
             vec with = at;
             with[s.bounds().nParameters + i] = strength;
-            add(fit.surface()(with) - fit.surface()(at));
+            add(calibration.surface()(with) - calibration.surface()(at));
         }
     }
-    for (const sensorFault& fault : possibleFaults(fit.data(), s.set().faults))
+    for (const sensorFault& fault : possibleFaults(calibration.data(), s.set().faults))
     {
         if (fault.size() == 1)
         {
-            add(fault(fit.data(), base.best.f, fault.slight) - base.best.f);
+            add(fault(calibration.data(), base.best.f, fault.slight) - base.best.f);
         }
     }
     return all;
@@ -164,13 +164,13 @@ Foam::misfit::weighed Foam::misfit::detect
 {
     Info<< "Detection" << endl;
     const settings& set = s.set();
-    const stacked& data = m.fit->data();
-    const vec atMean = m.fit->surface()(s.bounds().mean);
-    const whitener white(m.fit->uncertainty().at(atMean));
+    const stacked& data = m.calibration->data();
+    const vec atMean = m.calibration->surface()(s.bounds().mean);
+    const whitener white(m.calibration->uncertainty().at(atMean));
     const statistics::scan raw(data, white, set.draws, set.seed);
     f.raw = raw(data.y - atMean, set.significance);
 
-    const weighed base(m.fit->weigh(set.formulaTolerance).base());
+    const weighed base(m.calibration->weigh(set.formulaTolerance).base());
     forAll(set.parameters, i)
     {
         const parameter& p = set.parameters[i];
@@ -180,7 +180,7 @@ Foam::misfit::weighed Foam::misfit::detect
             base.best.deviation(i), base.best.pinned[i]
         });
     }
-    f.detection = look(s, *m.fit, base, shapes(s, *m.fit, base));
+    f.detection = look(s, *m.calibration, base, shapes(s, *m.calibration, base));
 
     const vec misfit = data.y - base.best.f;
     std::vector<window> clear;
@@ -198,7 +198,7 @@ Foam::misfit::weighed Foam::misfit::detect
     f.located = placed(clear, data, misfit);
     f.data = data;
     f.sigma = base.covariance.diagonal().cwiseSqrt();
-    f.sources = m.fit->uncertainty().sources(base.best.f);
+    f.sources = m.calibration->uncertainty().sources(base.best.f);
     return base;
 }
 
@@ -217,7 +217,7 @@ std::vector<Foam::misfit::place> Foam::misfit::locateNamed
 )
 {
     // Half of what is left counts, too: nature's formula may be another one
-    const stacked& data = m.fit->data();
+    const stacked& data = m.calibration->data();
     const vec explained =
         0.5*(f.after - f.before) + 0.5*(data.y - f.before);
     return placed

@@ -21,7 +21,7 @@ using namespace Foam::misfit;
 //- The error of the clock is a shift in time
 void warnOfTrigger(const study& s)
 {
-    for (const segment& channel : s.data().fit.segments)
+    for (const segment& channel : s.data().calibration.segments)
     {
         if (!channel.overTime && !channel.isNumber() && s.set().trigger > 0)
         {
@@ -46,7 +46,7 @@ finding diagnosed(sampler& ask, const settings& set)
     std::vector<int> never(addCalibrationRuns(s, m));
     const weighed base(detect(s, m, f));
     const bool detected = isDetected(s, f);
-    screened candidates(screen(s, *m.fit, base, never));
+    screened candidates(screen(s, *m.calibration, base, never));
     if (detected)
     {
         addSensitivityRuns(s, m, base, candidates, never);
@@ -61,10 +61,10 @@ finding diagnosed(sampler& ask, const settings& set)
     Info<< "Sensors and mechanisms" << endl;
     f.explained = explanations
     (
-        m.fit->weigh(set.formulaTolerance).all
+        m.calibration->weigh(set.formulaTolerance).all
         (
             candidates.left,
-            possibleFaults(m.fit->data(), set.faults),
+            possibleFaults(m.calibration->data(), set.faults),
             set.pairs
         )
     );
@@ -73,7 +73,7 @@ finding diagnosed(sampler& ask, const settings& set)
         refitBest(s, m, f.explained);
     }
     prefer(s, m, f.explained, detected);
-    tellApart(s, *m.fit, candidates.left, f);
+    tellApart(s, *m.calibration, candidates.left, f);
 
     const auto known(askGates(s, m, candidates.left, f));
     f.failedRuns = s.failed();
@@ -128,12 +128,12 @@ Foam::misfit::visible(sampler& ask, const settings& set)
     const vec& mean = s.bounds().mean;
     const label nP = s.bounds().nParameters;
     visibility v;
-    v.sensors = covariance(m.fit->data(), 0).at(m.fit->data().y);
-    v.all = m.fit->uncertainty().at(m.fit->surface()(mean));
+    v.sensors = covariance(m.calibration->data(), 0).at(m.calibration->data().y);
+    v.all = m.calibration->uncertainty().at(m.calibration->surface()(mean));
     v.calibrated = statistics::withFitted
     (
         v.all,
-        m.fit->surface().slopes(mean).leftCols(nP),
+        m.calibration->surface().slopes(mean).leftCols(nP),
         s.bounds().deviation.head(nP)
     );
     return v;

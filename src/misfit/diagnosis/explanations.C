@@ -102,11 +102,11 @@ Foam::misfit::computed Foam::misfit::explanations::lookUp
     }
     computed c;
     c.what = w.what;
-    c.variables = m.fit->model(w.what).expand(w.best.x);
-    c.given.fit = w.best.f;
-    if (m.gate->size())
+    c.variables = m.calibration->model(w.what).expand(w.best.x);
+    c.given.calibration = w.best.f;
+    if (m.validation->size())
     {
-        c.given.gate = m.gate->surface()(c.variables);
+        c.given.validation = m.validation->surface()(c.variables);
     }
     return c;
 }

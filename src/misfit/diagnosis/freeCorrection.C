@@ -78,7 +78,7 @@ class correctionFitter
         f.explained.number = number;
         f.explained.covariance = base_.covariance;
         f.explained =
-            m_.fit->weigh(s_.set().formulaTolerance).again(f.explained, white_);
+            m_.calibration->weigh(s_.set().formulaTolerance).again(f.explained, white_);
         return f;
     }
 
@@ -124,7 +124,7 @@ class correctionFitter
     //- Computed in the solver and fitted again, until it stays
     void compute(correctionFit& f)
     {
-        const refitted r(refit(s_, *m_.fit, f.explained, &white_));
+        const refitted r(refit(s_, *m_.calibration, f.explained, &white_));
         f.explained = r.best;
         f.given = r.given;
         f.variables = r.variables;
@@ -132,10 +132,10 @@ class correctionFitter
         if (r.failure.size())
         {
             f.variables =
-                m_.fit->model(f.explained.what).expand(f.explained.best.x);
-            f.given.fit = f.explained.best.f;
-            f.given.gate =
-                m_.gate->size() ? m_.gate->surface()(f.variables) : vec();
+                m_.calibration->model(f.explained.what).expand(f.explained.best.x);
+            f.given.calibration = f.explained.best.f;
+            f.given.validation =
+                m_.validation->size() ? m_.validation->surface()(f.variables) : vec();
         }
     }
 
@@ -257,8 +257,8 @@ class correctionFitter
                 )
             ).first()
         );
-        const bool gates = other.use == purpose::gate;
-        const stacked& recorded = gates ? other.gate : other.score;
+        const bool validates = other.use == purpose::validation;
+        const stacked& recorded = validates ? other.validation : other.test;
         if (!after.ok() || !recorded.size())
         {
             return false;
@@ -268,8 +268,8 @@ class correctionFitter
             compared
             (
                 heldOut::part::experiment, other.experiment, other.use, recorded,
-                gates ? before.gate : before.score,
-                gates ? after.gate : after.score, known, s_.set().adequacy
+                validates ? before.validation : before.test,
+                validates ? after.validation : after.test, known, s_.set().adequacy
             )
         );
         const heldOut& h = found_.held.last();
@@ -289,8 +289,8 @@ public:
     {
         const label nP = s_.bounds().nParameters;
         atBase_.head(nP) = base.best.x.head(nP);
-        m_.fit = m.fit->withVariables(s_.bounds());
-        m_.gate = m.gate->withVariables(s_.bounds());
+        m_.calibration = m.calibration->withVariables(s_.bounds());
+        m_.validation = m.validation->withVariables(s_.bounds());
         found_.asked = true;
     }
 
@@ -461,28 +461,29 @@ public:
             found_.explained ? &found_.laws.first().law : nullptr;
         const settings& set = s_.set();
         found_.after = f.explained.best.f;
-        found_.left = look(s_, *m_.fit, f.explained).p;
+        found_.left = look(s_, *m_.calibration, f.explained).p;
         found_.isEnough = found_.left >= set.adequacy;
         const word& here = s_.data().experiment;
-        if (m_.gate->size())
+        if (m_.validation->size())
         {
             found_.held.append
             (
                 compared
                 (
-                    heldOut::part::channels, here, purpose::gate, m_.gate->data(),
-                    given_.gate, f.given.gate, m_.gate->uncertainty(),
+                    heldOut::part::validation, here, purpose::validation,
+                    m_.validation->data(), given_.validation, f.given.validation,
+                    m_.validation->uncertainty(),
                     set.adequacy
                 )
             );
         }
-        const stacked& scored = s_.data().score;
+        const stacked& testData = s_.data().test;
         found_.held.append
         (
             compared
             (
-                heldOut::part::scored, here, purpose::score, scored,
-                given_.score, f.given.score, covariance(scored, set.trigger),
+                heldOut::part::test, here, purpose::test, testData,
+                given_.test, f.given.test, covariance(testData, set.trigger),
                 set.adequacy
             )
         );
@@ -493,7 +494,7 @@ public:
             const observed& other = s_.experiments()[i];
             const bool holds =
                 holdsIn(other, f, law, known.at(other.experiment));
-            if (other.use == purpose::gate && other.gate.size())
+            if (other.use == purpose::validation && other.validation.size())
             {
                 ++asked;
                 held += holds;
@@ -509,7 +510,7 @@ public:
         for (const heldOut& h : found_.held)
         {
             const bool worse = h.squareAfter > h.squareBefore;
-            found_.holds = found_.holds && !(worse && h.use == purpose::gate);
+            found_.holds = found_.holds && !(worse && h.use == purpose::validation);
         }
         found_.named =
             found_.explained && found_.transfers && found_.holds

@@ -154,7 +154,7 @@ gate adequacyGate
     (
         atLeast
         (
-            gateKind::adequacy, look(s, *m.fit, e.best()).p, s.set().adequacy
+            gateKind::adequacy, look(s, *m.calibration, e.best()).p, s.set().adequacy
         )
     );
     g.applies = !e.best().what.unknown || isMostlyUnknown(e, alone);
@@ -237,7 +237,7 @@ weighed winnerWithout
     const label channel
 )
 {
-    const auto rest(m.fit->without(channel, s.width()));
+    const auto rest(m.calibration->without(channel, s.width()));
     const std::vector<weighed> all
     (
         rest->weigh(s.set().formulaTolerance).all
@@ -282,7 +282,7 @@ gate stabilityGate
     std::vector<winner>& winners
 )
 {
-    const std::vector<segment>& channels = m.fit->data().segments;
+    const std::vector<segment>& channels = m.calibration->data().segments;
     const bool applies = channels.size() > 1 && best.what.mechanisms.size();
     const label asked = applies ? count(channels) : 0;
     gate g(of(gateKind::stability, asked, asked));
@@ -352,10 +352,10 @@ gate placeboGate
 )
 {
     const weighed& best = e.best();
-    const stacked& data = m.fit->data();
+    const stacked& data = m.calibration->data();
     const vec y = data.y;
     const vec base = e.baseline().best.f;
-    const auto copy(m.fit->copy());
+    const auto copy(m.calibration->copy());
 
     copy->record(2*base - y);
     scalar placebo = gain(*copy, best.what, set.formulaTolerance);
@@ -398,11 +398,11 @@ void askHeldOut
     }
     forAll(held, i)
     {
-        if (held[i].use == purpose::gate)
+        if (held[i].use == purpose::validation)
         {
             gates.add(heldOutGate(best.what, held[i], i));
         }
-        if (held[i].what == heldOut::part::channels)
+        if (held[i].what == heldOut::part::validation)
         {
             gates.add(harmGate(s, m, best, held[i], i));
         }
@@ -417,7 +417,7 @@ bool Foam::misfit::isConfirmed(const List<heldOut>& held)
     bool some = false;
     for (const heldOut& h : held)
     {
-        if (h.use == purpose::gate && h.squareBefore > matchLimit(h))
+        if (h.use == purpose::validation && h.squareBefore > matchLimit(h))
         {
             const scalar half = 0.5*(1 + h.squareBefore);
             if (h.squareAfter > max(half, matchLimit(h)))
@@ -451,7 +451,7 @@ std::map<Foam::word, Foam::misfit::covariance> Foam::misfit::askGates
     scalar alone = 0;
     if (detected)
     {
-        alone = gainAlone(*m.fit, e, set.formulaTolerance);
+        alone = gainAlone(*m.calibration, e, set.formulaTolerance);
         f.gates.add
         (
             atLeast

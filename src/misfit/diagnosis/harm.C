@@ -23,10 +23,10 @@ mat predictionErrors
     const vec& x = best.best.x;
     const mat unsure = statistics::covarianceWithin
     (
-        m.fit->model(best.what), whitener(best.covariance), x
+        m.calibration->model(best.what), whitener(best.covariance), x
     );
-    const mat there = m.gate->model(best.what).slopes(x);
-    const weighing weigh(m.gate->weigh(tolerance));
+    const mat there = m.validation->model(best.what).slopes(x);
+    const weighing weigh(m.validation->weigh(tolerance));
     mat errors =
         there*unsure*there.transpose() + weigh.otherFormula(best);
     if (best.what.unknown)
@@ -49,7 +49,7 @@ Foam::scalar Foam::misfit::chanceOfHarm
 {
     // Given the effect that it predicts, what a right prediction leaves has the mean
     // nought; where it points against the effect, too much was predicted
-    const covariance known(h.data, m.gate->uncertainty());
+    const covariance known(h.data, m.validation->uncertainty());
     const whitener white(known.at(h.after));
     const vec effect = white(vec(h.after - h.before));
     const vec left = white(vec(h.data.y - h.after));

@@ -28,7 +28,7 @@ vec withFault
     return
         best.what.fault->elsewhere
         (
-            data, computed, m.fit->model(best.what).ofFault(best.best.x)
+            data, computed, m.calibration->model(best.what).ofFault(best.best.x)
         );
 }
 
@@ -51,7 +51,7 @@ std::vector<vec> calibrationSteps
 
     // A parameter at its bound is as uncertain as the others. In widths, as the
     // units may be any.
-    const hypothesisModel model(m.fit->model(base.what));
+    const hypothesisModel model(m.calibration->model(base.what));
     const vec width = s.width().head(nP);
     const mat slopes =
         whitener(base.covariance)(model.slopes(base.best.x))*width.asDiagonal();
@@ -91,7 +91,7 @@ bool addNumerics(study& s, const observed& other, covariance& known)
     const label packings = s.set().packings;
     const List<runState> states(uncertaintyRuns(s, other.experiment));
     const List<samples> given(s.run(states));
-    mat repeats(other.gate.size(), 0);
+    mat repeats(other.validation.size(), 0);
     bool confirms = true;
     forAll(given, i)
     {
@@ -102,13 +102,13 @@ bool addNumerics(study& s, const observed& other, covariance& known)
         }
         else if (i < packings)
         {
-            appendColumn(repeats, given[i].gate);
+            appendColumn(repeats, given[i].validation);
         }
         else if (given.first().ok())
         {
             known.addDifference
             (
-                states[i].resolution, given[i].gate - given.first().gate
+                states[i].resolution, given[i].validation - given.first().validation
             );
         }
     }
@@ -136,7 +136,7 @@ void addCalibration
         }
         else
         {
-            appendColumn(changes, given[k].gate - given[0].gate);
+            appendColumn(changes, given[k].validation - given[0].validation);
         }
     }
     known.addDirections("calibration", changes);
@@ -190,24 +190,24 @@ class otherExperiments
             );
         };
         using part = heldOut::part;
-        if (other.use != purpose::gate)
+        if (other.use != purpose::validation)
         {
             add
             (
-                part::experiment, other.use, other.score, before.score,
-                after.score, known
+                part::experiment, other.use, other.test, before.test,
+                after.test, known
             );
             return;
         }
         add
         (
-            part::experiment, other.use, other.gate, before.gate, after.gate,
-            known
+            part::experiment, other.use, other.validation, before.validation,
+            after.validation, known
         );
         add
         (
-            part::scoredElsewhere, purpose::score, other.score, before.score,
-            after.score, covariance(other.score, s_.set().trigger)
+            part::testElsewhere, purpose::test, other.test, before.test,
+            after.test, covariance(other.test, s_.set().trigger)
         );
     }
 
@@ -244,13 +244,13 @@ public:
 
     void test(const observed& other)
     {
-        const bool gates = other.use == purpose::gate;
+        const bool validates = other.use == purpose::validation;
         List<runState> states
         ({
             s_.state(other.experiment, before_.variables),
             s_.state(other.experiment, after_.variables)
         });
-        for (label k = 0; gates && k < count(steps_); ++k)
+        for (label k = 0; validates && k < count(steps_); ++k)
         {
             states.append
             (
@@ -259,8 +259,8 @@ public:
         }
         const List<samples> given(s_.means(states));
 
-        covariance known(gates ? other.gate : other.score, s_.set().trigger);
-        if (gates && given[0].ok())
+        covariance known(validates ? other.validation : other.test, s_.set().trigger);
+        if (validates && given[0].ok())
         {
             if (!addNumerics(s_, other, known))
             {
@@ -277,7 +277,7 @@ public:
         }
         const label failed = given[1].ok() ? 0 : 1;
         s_.leaveOut(states[failed], given[failed].failure);
-        if (gates)
+        if (validates)
         {
             fail(other, given[failed].failure);
         }
@@ -352,11 +352,11 @@ Foam::misfit::heldOutTest Foam::misfit::testHeldOut
         mayBeNothing ? calibrationSteps(s, m, e.baseline()) : std::vector<vec>()
     );
     const word& here = s.data().experiment;
-    if (m.gate->size())
+    if (m.validation->size())
     {
-        const stacked& data = m.gate->data();
-        covariance known(data, m.gate->uncertainty());
-        const mat slopes = m.gate->surface().slopes(before.variables);
+        const stacked& data = m.validation->data();
+        covariance known(data, m.validation->uncertainty());
+        const mat slopes = m.validation->surface().slopes(before.variables);
         mat changes(data.size(), steps.size());
         for (label k = 0; k < count(steps); ++k)
         {
@@ -367,21 +367,22 @@ Foam::misfit::heldOutTest Foam::misfit::testHeldOut
         (
             compared
             (
-                heldOut::part::channels, here, purpose::gate, data,
-                before.given.gate, withFault(m, e.best(), data, after.given.gate),
+                heldOut::part::validation, here, purpose::validation, data,
+                before.given.validation,
+                withFault(m, e.best(), data, after.given.validation),
                 known, s.set().adequacy
             )
         );
     }
-    const stacked& scored = s.data().score;
+    const stacked& testData = s.data().test;
     test.held.append
     (
         compared
         (
-            heldOut::part::scored, here, purpose::score, scored,
-            before.given.score,
-            withFault(m, e.best(), scored, after.given.score),
-            covariance(scored, s.set().trigger), s.set().adequacy
+            heldOut::part::test, here, purpose::test, testData,
+            before.given.test,
+            withFault(m, e.best(), testData, after.given.test),
+            covariance(testData, s.set().trigger), s.set().adequacy
         )
     );
 

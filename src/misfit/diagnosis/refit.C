@@ -26,7 +26,7 @@ weighed computedAnew
     const weighed& w
 )
 {
-    const refitted r(refit(s, *m.fit, w));
+    const refitted r(refit(s, *m.calibration, w));
     e.forget(w.what);
     if (r.failure.empty())
     {
@@ -58,7 +58,7 @@ void preferAmongRivals(const study& s, const models& m, explanations& e)
         what.fault && what.fault->kind == faultKind::swapped;
     const bool whole =
         (what.mechanisms.size() || exchanged) && !what.unknown;
-    if (whole && look(s, *m.fit, e.best()).p < s.set().adequacy)
+    if (whole && look(s, *m.calibration, e.best()).p < s.set().adequacy)
     {
         hypothesis part(what);
         part.unknown = true;
@@ -156,7 +156,7 @@ Foam::misfit::refitted Foam::misfit::refit
     };
     with.passThrough = [&](const vec& x, const samples& given)
     {
-        local->passThrough(x, given.fit);
+        local->passThrough(x, given.calibration);
     };
     with.stay = [&](const weighed& now)
     {
@@ -182,7 +182,7 @@ void Foam::misfit::refitBest(study& s, const models& m, explanations& e)
     {
         if (i < n || all[i].what.isNone())
         {
-            first.push_back(m.fit->model(all[i].what).expand(all[i].best.x));
+            first.push_back(m.calibration->model(all[i].what).expand(all[i].best.x));
         }
     }
     s.means(first);

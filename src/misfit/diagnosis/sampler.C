@@ -170,9 +170,9 @@ void Foam::misfit::samples::add(const samples& other)
         failure = other.failure;
         return;
     }
-    addTo(fit, other.fit);
-    addTo(gate, other.gate);
-    addTo(score, other.score);
+    addTo(calibration, other.calibration);
+    addTo(validation, other.validation);
+    addTo(test, other.test);
     addTo(possible, other.possible);
     met = other.met;
 }
@@ -180,9 +180,9 @@ void Foam::misfit::samples::add(const samples& other)
 
 void Foam::misfit::samples::divide(const scalar n)
 {
-    fit /= n;
-    gate /= n;
-    score /= n;
+    calibration /= n;
+    validation /= n;
+    test /= n;
     possible /= n;
 }
 
@@ -198,28 +198,28 @@ Foam::misfit::predictedSampler::predictedSampler
     predictor_(p),
     bank_(bank)
 {
-    wordList names(all.experiments(purpose::fit));
-    names.append(all.experiments(purpose::gate));
-    names.append(all.experiments(purpose::score));
+    wordList names(all.experiments(purpose::calibration));
+    names.append(all.experiments(purpose::validation));
+    names.append(all.experiments(purpose::test));
     for (const word& e : names)
     {
         data_.append
         ({
             e,
             all.use(e),
-            stack(all, channels(e, purpose::fit)),
-            stack(all, channels(e, purpose::gate)),
-            stack(all, channels(e, purpose::score)),
+            stack(all, channels(e, purpose::calibration)),
+            stack(all, channels(e, purpose::validation)),
+            stack(all, channels(e, purpose::test)),
             possible(all, e)
         });
     }
-    if (all.experiments(purpose::fit).size() > 1)
+    if (all.experiments(purpose::calibration).size() > 1)
     {
         FatalErrorInFunction
             << "The experiments"
-            << keywords::listed(all.experiments(purpose::fit)).c_str()
-            << " are all to be fitted. One is fitted: give the others  use gate;"
-            << " or  use score;" << exit(FatalError);
+            << keywords::listed(all.experiments(purpose::calibration)).c_str()
+            << " are all for calibration, which takes one: give the others"
+            << "  use validation;  or  use test;" << exit(FatalError);
     }
 }
 
@@ -273,9 +273,13 @@ Foam::misfit::predictedSampler::operator()(const List<runState>& states)
         all[i].failure = p.failure;
         if (p.ok())
         {
-            all[i].fit = stack(recordings_, channels(e, purpose::fit), p);
-            all[i].gate = stack(recordings_, channels(e, purpose::gate), p);
-            all[i].score = stack(recordings_, channels(e, purpose::score), p);
+            const auto of = [&](const purpose use)
+            {
+                return stack(recordings_, channels(e, use), p);
+            };
+            all[i].calibration = of(purpose::calibration);
+            all[i].validation = of(purpose::validation);
+            all[i].test = of(purpose::test);
             all[i].possible = possibleStack(recordings_, data_, e, p);
             all[i].met = p.met;
         }

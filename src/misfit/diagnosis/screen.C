@@ -41,13 +41,13 @@ bool isOpposite
 Foam::misfit::screened Foam::misfit::screen
 (
     const study& s,
-    const sampledModel& fit,
+    const sampledModel& calibration,
     const weighed& base,
     const std::vector<int>& never
 )
 {
     Info<< "Screening of the candidates" << endl;
-    const stacked& data = fit.data();
+    const stacked& data = calibration.data();
     const whitener white(base.covariance);
     const vec sigma = base.covariance.diagonal().cwiseSqrt();
     std::vector<vec> changes;

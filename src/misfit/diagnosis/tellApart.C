@@ -6,13 +6,13 @@
 void Foam::misfit::tellApart
 (
     const study& s,
-    const sampledModel& fit,
+    const sampledModel& calibration,
     const std::vector<int>& mechanisms,
     finding& f
 )
 {
     const weighed& base = f.explained.baseline();
-    const hypothesisModel model(fit.model(base.what));
+    const hypothesisModel model(calibration.model(base.what));
     const vec at = model.expand(base.best.x);
     const whitener white
     (
@@ -24,13 +24,14 @@ void Foam::misfit::tellApart
 
     f.candidates = s.namesOf(mechanisms);
     const label n = mechanisms.size();
-    mat effects(fit.size(), n);
+    mat effects(calibration.size(), n);
     for (label i = 0; i < n; ++i)
     {
         vec with = at;
         with[s.bounds().nParameters + mechanisms[i]] =
             s.set().candidates[mechanisms[i]].strong;
-        effects.col(i) = white(vec(fit.surface()(with) - fit.surface()(at)));
+        effects.col(i) =
+            white(vec(calibration.surface()(with) - calibration.surface()(at)));
     }
 
     // What is left of one when the other, at any strength, imitates it

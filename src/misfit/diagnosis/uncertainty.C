@@ -84,11 +84,11 @@ void checkSpread(const label packings, const label ran)
 void checkChanges
 (
     const word& resolution,
-    const vec& fit,
-    const vec& gate
+    const vec& calibration,
+    const vec& validation
 )
 {
-    if (fit.isZero(0) && gate.isZero(0))
+    if (calibration.isZero(0) && validation.isZero(0))
     {
         FatalErrorInFunction
             << "The run with other " << resolution << " gives the same numbers in"
@@ -103,15 +103,19 @@ void checkChanges
 //- Stop where two packings, a column each, are the same
 void checkPackings
 (
-    const mat& fit,
-    const mat& gate
+    const mat& calibration,
+    const mat& validation
 )
 {
-    for (label i = 0; i < fit.cols(); ++i)
+    for (label i = 0; i < calibration.cols(); ++i)
     {
         for (label j = 0; j < i; ++j)
         {
-            if (fit.col(i) == fit.col(j) && gate.col(i) == gate.col(j))
+            if
+            (
+                calibration.col(i) == calibration.col(j)
+             && validation.col(i) == validation.col(j)
+            )
             {
                 FatalErrorInFunction
                     << "Two packings give the same numbers in all channels, so"
@@ -167,8 +171,8 @@ void Foam::misfit::addUncertainty(study& s, models& m)
     const List<runState> states(uncertaintyRuns(s, s.data().experiment));
     checkBases(s);
     const List<samples> given(s.run(states));
-    mat fit(m.fit->size(), 0);
-    mat gate(m.gate->size(), 0);
+    mat calibration(m.calibration->size(), 0);
+    mat validation(m.validation->size(), 0);
     forAll(given, i)
     {
         if (!given[i].ok())
@@ -177,20 +181,22 @@ void Foam::misfit::addUncertainty(study& s, models& m)
         }
         else if (i < set.packings)
         {
-            appendColumn(fit, given[i].fit);
-            appendColumn(gate, given[i].gate);
+            appendColumn(calibration, given[i].calibration);
+            appendColumn(validation, given[i].validation);
         }
         else
         {
-            const vec ofFit = given[i].fit - given.first().fit;
-            const vec ofGate = given[i].gate - given.first().gate;
-            checkChanges(states[i].resolution, ofFit, ofGate);
-            m.fit->addDifference(states[i].resolution, ofFit);
-            m.gate->addDifference(states[i].resolution, ofGate);
+            const vec ofCalibration =
+                given[i].calibration - given.first().calibration;
+            const vec ofValidation =
+                given[i].validation - given.first().validation;
+            checkChanges(states[i].resolution, ofCalibration, ofValidation);
+            m.calibration->addDifference(states[i].resolution, ofCalibration);
+            m.validation->addDifference(states[i].resolution, ofValidation);
         }
     }
-    checkSpread(set.packings, fit.cols());
-    checkPackings(fit, gate);
-    m.fit->addRepeats(fit, set.common);
-    m.gate->addRepeats(gate, set.common);
+    checkSpread(set.packings, calibration.cols());
+    checkPackings(calibration, validation);
+    m.calibration->addRepeats(calibration, set.common);
+    m.validation->addRepeats(validation, set.common);
 }

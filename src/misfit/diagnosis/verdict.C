@@ -159,7 +159,7 @@ bool confirmsNone(const finding& f)
 {
     for (const heldOut& h : f.held)
     {
-        if (h.use == purpose::gate && h.squareBefore >= h.limitOfNothing)
+        if (h.use == purpose::validation && h.squareBefore >= h.limitOfNothing)
         {
             return false;
         }
@@ -229,7 +229,7 @@ void setStrengths(const study& s, finding& f)
 runState namedState(const study& s, const models& m, const finding& f)
 {
     const weighed& best = f.best();
-    runState named(s.state(m.fit->model(best.what).expand(best.best.x)));
+    runState named(s.state(m.calibration->model(best.what).expand(best.best.x)));
     for (const word& name : named.strengths.toc())
     {
         if (!f.names.found(name))

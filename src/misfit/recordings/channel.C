@@ -15,9 +15,9 @@
 
 const Foam::Enum<Foam::misfit::purpose> Foam::misfit::purposeNames
 ({
-    {purpose::fit, "fit"},
-    {purpose::gate, "gate"},
-    {purpose::score, "score"}
+    {purpose::calibration, "calibration"},
+    {purpose::validation, "validation"},
+    {purpose::test, "test"}
 });
 
 

@@ -11,6 +11,16 @@ namespace
 
 using namespace Foam;
 
+//- The uses of recordings by the names that they had
+HashTable<word> formerUses()
+{
+    return HashTable<word>
+    ({
+        {"fit", "calibration"}, {"gate", "validation"}, {"score", "test"}
+    });
+}
+
+
 //- How much of what two channels recorded is the same, as the verb of a sentence;
 //  empty: nothing
 string sharedNumbers(const misfit::channel& a, const misfit::channel& b)
@@ -46,7 +56,7 @@ void Foam::misfit::recordings::readExperiments(const dictionary& dict)
     if (!dict.found("experiments"))
     {
         experiments_ = wordList(1, word("A"));
-        purposes_ = List<purpose>(1, purpose::fit);
+        purposes_ = List<purpose>(1, purpose::calibration);
         return;
     }
 
@@ -60,17 +70,19 @@ void Foam::misfit::recordings::readExperiments(const dictionary& dict)
             [
                 keywords::choice
                 (
-                    e.dict(), "use", "use", purposeNames.sortedToc(), "fit"
+                    e.dict(), "use", "use", purposeNames.sortedToc(),
+                    "calibration", formerUses()
                 )
             ]
         );
     }
 
-    if (experiments(purpose::fit).empty())
+    if (experiments(purpose::calibration).empty())
     {
         FatalIOErrorInFunction(dict)
             << "None of the experiments" << keywords::listed(experiments_).c_str()
-            << " is there to be fitted: give one of them  use fit;" << exit(FatalIOError);
+            << " is there to calibrate with: give one of them  use calibration;"
+            << exit(FatalIOError);
     }
 }
 
@@ -79,10 +91,9 @@ Foam::HashTable<Foam::misfit::purpose>
 Foam::misfit::recordings::readHeldOut(const dictionary& dict) const
 {
     HashTable<purpose> held;
-    const dictionary lists
-    (
-        keywords::sub(dict, "heldOut", {"gate", "score"})
-    );
+    const dictionary lists(keywords::sub(dict, "heldOut"));
+    keywords::checkRenamed(lists, formerUses());
+    keywords::check(lists, {"validation", "test"});
 
     for (const entry& e : lists)
     {
@@ -100,7 +111,7 @@ Foam::misfit::recordings::readHeldOut(const dictionary& dict) const
             {
                 FatalIOErrorInFunction(lists)
                     << "heldOut lists " << name << " twice. A channel either"
-                    << " gates or scores: name it once" << exit(FatalIOError);
+                    << " validates or tests: name it once" << exit(FatalIOError);
             }
         }
     }
@@ -127,7 +138,7 @@ void Foam::misfit::recordings::checkOnce(const dictionary& dict) const
                 "The channels " + b.name() + " and " + a.name() + shared
               + " the same numbers, " + b.source() + " and " + a.source()
             );
-            if (a.use() == purpose::fit && b.use() == purpose::fit)
+            if (a.use() == purpose::calibration && b.use() == purpose::calibration)
             {
                 WarningInFunction
                     << told.c_str() << ", which count twice now. Remove one, or"
@@ -163,7 +174,7 @@ Foam::misfit::recordings::recordings
 
     for (const entry& e : dict.subDict("channels"))
     {
-        const purpose use = held.lookup(e.keyword(), purpose::fit);
+        const purpose use = held.lookup(e.keyword(), purpose::calibration);
         channels_.append
         (
             new channel(e.keyword(), e.dict(), use, folder, samples)
@@ -177,7 +188,7 @@ Foam::misfit::recordings::recordings
                 << c.experiment() << ", which is not there. Experiments:"
                 << keywords::listed(experiments_).c_str() << exit(FatalIOError);
         }
-        // What is only to be scored stays so, whatever its experiment is for
+        // A test channel stays one, whatever its experiment is for
         c.use(std::max(use, this->use(c.experiment())));
     }
     checkOnce(dict);
@@ -237,8 +248,8 @@ void Foam::misfit::recordings::checkHeldOut(const dictionary& dict) const
             recorded = recorded || (c.experiment() == e && c.isRecorded());
             if
             (
-                c.experiment() == e && use(e) == purpose::fit
-             && c.use() != purpose::fit && !c.isRecorded()
+                c.experiment() == e && use(e) == purpose::calibration
+             && c.use() != purpose::calibration && !c.isRecorded()
             )
             {
                 FatalIOErrorInFunction(dict)
@@ -247,7 +258,7 @@ void Foam::misfit::recordings::checkHeldOut(const dictionary& dict) const
                     << exit(FatalIOError);
             }
         }
-        if (!recorded && use(e) != purpose::fit)
+        if (!recorded && use(e) != purpose::calibration)
         {
             FatalIOErrorInFunction(dict)
                 << "The experiment " << e << " has no recorded channel, so it can"
@@ -268,18 +279,18 @@ void Foam::misfit::recordings::checkEnough
     label samples = 0;
     for (const channel& c : channels_)
     {
-        samples += c.use() == purpose::fit ? c.size() : 0;
+        samples += c.use() == purpose::calibration ? c.size() : 0;
     }
     if (!samples)
     {
         FatalIOErrorInFunction(dict)
-            << "No recorded channel is left to fit: all are held out, or have"
-            << " no file" << exit(FatalIOError);
+            << "No recorded channel is left to calibrate with: all are held out,"
+            << " or have no file" << exit(FatalIOError);
     }
     if (samples < unknowns)
     {
         FatalIOErrorInFunction(dict)
-            << "The channels to fit have " << samples << " samples for "
+            << "The calibration channels have " << samples << " samples for "
             << unknowns << " unknowns (parameters and two strengths)."
             << " Record more, or fix some of the parameters"
             << exit(FatalIOError);

@@ -262,7 +262,7 @@ Foam::List<Foam::fileName> Foam::misfit::drawFigures
     label row = 0;
     std::ostringstream rows;
     std::ofstream map(folder/"map.dat");
-    const auto addRows = [&](const stacked& data, const char* mark)
+    const auto addRows = [&](const stacked& data, const string& mark)
     {
         for (const segment& s : data.segments)
         {
@@ -274,12 +274,12 @@ Foam::List<Foam::fileName> Foam::misfit::drawFigures
     addRows(f.data, "");
     for (const heldOut& h : f.held)
     {
-        if (h.isHere() || h.what == heldOut::part::scoredElsewhere)
+        if (h.isHere() || h.what == heldOut::part::testElsewhere)
         {
             writeMap(map, h.data, h.sigma, h.before, h.after, row);
             addRows
             (
-                h.data, h.use == purpose::gate ? " (held out)" : " (only told)"
+                h.data, " (" + purposeNames[h.use] + ")"
             );
         }
     }

@@ -237,8 +237,7 @@ std::string Foam::misfit::reportTop(const finding& f, const origin& from)
           : table
             (
                 {
-                    "experiment", "fitted", "held out, must be predicted",
-                    "held out, only told", "recorded in"
+                    "experiment", "calibration", "validation", "test", "recorded in"
                 },
                 rows
             ))
@@ -278,6 +277,9 @@ std::string Foam::misfit::glossary()
         (
             {"word", "meaning"},
             {
+                {"calibration, validation, test", "channels that are fitted; that are"
+                    " held out and must be predicted; that are held out and only"
+                    " reported"},
                 {"sigma", "one standard deviation of all that is uncertain between"
                     " recording and simulation; beyond 3 is hardly chance"},
                 {"mean square", "of the misfit in sigma: 1 is a match, 4 is off by"

@@ -18,7 +18,7 @@ using namespace Foam::misfit;
 using json = nlohmann::ordered_json;
 
 //- Of the record: grows with each change of what its keys are or mean
-constexpr label schema = 2;
+constexpr label schema = 3;
 
 
 json list(const wordList& names)

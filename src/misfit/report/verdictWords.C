@@ -217,7 +217,7 @@ string whatElsewhereSays(const finding& f)
 {
     for (const heldOut& h : f.tested)
     {
-        if (h.use == purpose::gate && h.squareBefore >= h.limitOfNothing)
+        if (h.use == purpose::validation && h.squareBefore >= h.limitOfNothing)
         {
             return
                 "held-out ones do not (they do not pass "
@@ -236,7 +236,7 @@ string whatIsStillOff(const finding& f)
     os.precision(3);
     for (const heldOut& h : f.tested)
     {
-        if (h.use == purpose::gate && h.squareAfter > matchLimit(h))
+        if (h.use == purpose::validation && h.squareAfter > matchLimit(h))
         {
             os  << " It does not yet match " << told(h).c_str() << ": mean square "
                 << h.squareAfter << ", a match is 1.";

@@ -225,10 +225,10 @@ Foam::string Foam::misfit::told(const heldOut& h)
 {
     switch (h.what)
     {
-        case heldOut::part::channels: return "held-out channels";
-        case heldOut::part::scored: return "scored channels";
+        case heldOut::part::validation: return "validation channels";
+        case heldOut::part::test: return "test channels";
         case heldOut::part::experiment: return "experiment " + h.experiment;
-        default: return "scored channels of experiment " + h.experiment;
+        default: return "test channels of experiment " + h.experiment;
     }
 }
 

@@ -266,7 +266,7 @@ Foam::misfit::solverPredictor::solverPredictor
     {
         observers_.append(observer::New(c).ptr());
     }
-    checkPlacesIn(templateCase, recorded.experiments(purpose::fit).first());
+    checkPlacesIn(templateCase, recorded.experiments(purpose::calibration).first());
 }
 
 
