@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Predictions from a bank of runs: what was run is given as it was, and the rest
+// Predictions from a training ensemble: what was run is given as it was, and the rest
 // by a surface that is exact where the truth is quadratic.
 
 #include "diagnosis.H"
@@ -26,14 +26,14 @@ runState at(const scalar p, const scalar s, const word& resolution = "base")
 }
 
 
-runState packed(runState state, const label packing)
+runState replicated(runState state, const label replicate)
 {
-    state.packing = packing;
+    state.replicate = replicate;
     return state;
 }
 
 
-//- Quadratic in both; a finer mesh adds 0.25, each packing 0.1 more
+//- Quadratic in both; a finer mesh adds 0.25, each replicate 0.1 more
 prediction truth(const runState& state)
 {
     const scalar p = state.parameters["p"];
@@ -47,20 +47,20 @@ prediction truth(const runState& state)
         run.channels[0].y.append
         (
             1 + p*t + s + 0.5*p*p + 2*s*s*t
-          + (state.resolution == "mesh" ? 0.25 : 0) + 0.1*state.packing
+          + (state.resolution == "mesh" ? 0.25 : 0) + 0.1*state.replicate
         );
     }
     return run;
 }
 
 
-emulatedPredictor bank()
+emulatedPredictor emulator()
 {
     List<runState> states
     ({
         at(0, 0), at(-1, 0), at(1, 0), at(0, 0.5), at(0, 1), at(1, 1),
         at(-1, 0.5), at(0.5, 0.3), at(0, 0, "mesh"),
-        packed(at(0, 0), 2)
+        replicated(at(0, 0), 2)
     });
     List<prediction> runs;
     for (const runState& s : states)
@@ -81,7 +81,7 @@ emulatedPredictor bank()
 
 TEST(misfitEmulator, aQuadraticTruthIsMet)
 {
-    emulatedPredictor emulate(bank());
+    emulatedPredictor emulate(emulator());
     const runState s(at(-0.4, 0.8));
     const prediction p(emulate.predict({s})[0]);
     ASSERT_TRUE(p.ok());
@@ -94,16 +94,16 @@ TEST(misfitEmulator, aQuadraticTruthIsMet)
 
 TEST(misfitEmulator, whatWasRunIsGivenAsItWas)
 {
-    emulatedPredictor emulate(bank());
+    emulatedPredictor emulate(emulator());
     const prediction p(emulate.predict({at(1, 1)})[0]);
     EXPECT_EQ(p.channels[0].x.size(), 11);
-    EXPECT_EQ(emulate.bank("A").size(), 8);
+    EXPECT_EQ(emulate.trainingEnsemble("A").size(), 8);
 }
 
 
-TEST(misfitEmulator, aFinerMeshIsTheDifferenceThatTheBankHasOfIt)
+TEST(misfitEmulator, aFinerMeshIsTheDifferenceThatTheEnsembleHasOfIt)
 {
-    emulatedPredictor emulate(bank());
+    emulatedPredictor emulate(emulator());
     const prediction p(emulate.predict({at(0.7, 0, "mesh")})[0]);
     EXPECT_NEAR
     (
@@ -112,29 +112,29 @@ TEST(misfitEmulator, aFinerMeshIsTheDifferenceThatTheBankHasOfIt)
 }
 
 
-TEST(misfitEmulator, anotherPackingIsTheDifferenceThatTheBankHasOfIt)
+TEST(misfitEmulator, anotherReplicateIsTheDifferenceThatTheEnsembleHasOfIt)
 {
-    emulatedPredictor emulate(bank());
+    emulatedPredictor emulate(emulator());
     const runState s(at(0.7, 0.4));
     const scalar first = truth(s).channels[0](0.5);
-    const auto given = [&](const label packing)
+    const auto given = [&](const label replicate)
     {
-        return emulate.predict({packed(s, packing)})[0].channels[0](0.5);
+        return emulate.predict({replicated(s, replicate)})[0].channels[0](0.5);
     };
     EXPECT_NEAR(given(2), first + 0.2, 1e-9);
-    EXPECT_NEAR(given(1), first, 1e-9) << "a packing that it has not";
+    EXPECT_NEAR(given(1), first, 1e-9) << "a replicate that it has not";
     EXPECT_NEAR
     (
-        emulate.predict({packed(at(0.7, 0.4, "mesh"), 2)})[0].channels[0](0.5),
+        emulate.predict({replicated(at(0.7, 0.4, "mesh"), 2)})[0].channels[0](0.5),
         first + 0.25 + 0.2,
         1e-9
     );
 }
 
 
-TEST(misfitEmulator, aPackingThatFailedInTheBankFails)
+TEST(misfitEmulator, aReplicateThatFailedInTheEnsembleFails)
 {
-    List<runState> states({at(0, 0), at(-1, 0), at(1, 0), packed(at(0, 0), 1)});
+    List<runState> states({at(0, 0), at(-1, 0), at(1, 0), replicated(at(0, 0), 1)});
     List<prediction> runs;
     for (const runState& s : states)
     {
@@ -143,32 +143,32 @@ TEST(misfitEmulator, aPackingThatFailedInTheBankFails)
     runs.last().failure = "it exploded";
     emulatedPredictor emulate({{"p", {}, 0, 1, -3, 3}}, {}, states, runs);
     EXPECT_EQ(emulate.predict({states.last()})[0].failure, "it exploded");
-    EXPECT_EQ(emulate.bank("A").size(), 3);
+    EXPECT_EQ(emulate.trainingEnsemble("A").size(), 3);
 }
 
 
-TEST(misfitEmulator, theSurfaceIsOfTheFirstPacking)
+TEST(misfitEmulator, theSurfaceIsOfTheFirstReplicate)
 {
     List<runState> states;
     List<prediction> runs;
     for (const scalar p : {0.0, -1.0, 1.0, 0.5})
     {
-        states.append(packed(at(p, 0), 1));
+        states.append(replicated(at(p, 0), 1));
         runs.append(truth(states.last()));
     }
     emulatedPredictor emulate({{"p", {}, 0, 1, -3, 3}}, {}, states, runs);
-    const runState s(packed(at(0.7, 0), 1));
+    const runState s(replicated(at(0.7, 0), 1));
     EXPECT_NEAR
     (
         emulate.predict({s})[0].channels[0](0.5), truth(s).channels[0](0.5), 1e-9
     );
-    EXPECT_EQ(emulate.bank("A").size(), 4);
+    EXPECT_EQ(emulate.trainingEnsemble("A").size(), 4);
 }
 
 
 TEST(misfitEmulator, anExperimentThatItHasNotIsAFailure)
 {
-    emulatedPredictor emulate(bank());
+    emulatedPredictor emulate(emulator());
     runState s(at(0, 0));
     s.experiment = "B";
     EXPECT_NE
@@ -213,7 +213,7 @@ public:
 } // End anonymous namespace
 
 
-TEST(misfitBank, eachCandidateIsInAsManyRunsAsTheOthers)
+TEST(misfitEnsemble, eachCandidateIsInAsManyRunsAsTheOthers)
 {
     settings set;
     set.parameters = {{"p", {}, 0, 1, -3, 3}};
@@ -221,7 +221,7 @@ TEST(misfitBank, eachCandidateIsInAsManyRunsAsTheOthers)
     {
         set.candidates.append({name, name, {}, 0.5, 1, 1, GREAT, {}});
     }
-    set.bank = 26;
+    set.trainingEnsemble = 26;
     nothing sampler;
     HashTable<label> runs;
     const List<plannedStage> stages(plan(sampler, set));

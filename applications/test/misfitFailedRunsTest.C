@@ -66,7 +66,7 @@ TEST(misfitFailedRuns, whatTheSolverRefutesGivesWayToTheNextBest)
 }
 
 
-TEST(misfitFailedRuns, aFailedResolutionStopsItAndAFailedPackingIsTold)
+TEST(misfitFailedRuns, aFailedResolutionStopsItAndAFailedReplicateIsTold)
 {
     settings set(worldSettings());
     set.resolutions = {"mesh"};
@@ -78,16 +78,16 @@ TEST(misfitFailedRuns, aFailedResolutionStopsItAndAFailedPackingIsTold)
     EXPECT_THROW(diagnose(finer, set), Foam::error);
 
     set.resolutions.clear();
-    set.packings = 2;
-    set.common = 1;
+    set.replicates = 2;
+    set.commonRandomNumbers = 1;
     worldSampler one(truth(-1, 0), 100, vec());
-    one.failPacking(1);
+    one.failReplicate(1);
     EXPECT_THROW(diagnose(one, set), Foam::error);
 
-    set.packings = 4;
-    set.common = 2;
+    set.replicates = 4;
+    set.commonRandomNumbers = 2;
     worldSampler common(truth(-1, 0), 100, vec());
-    common.failPacking(1);
+    common.failReplicate(1);
     try
     {
         diagnose(common, set);
@@ -95,23 +95,23 @@ TEST(misfitFailedRuns, aFailedResolutionStopsItAndAFailedPackingIsTold)
     }
     catch (const Foam::error& e)
     {
-        EXPECT_NE(e.message().find("one of the common"), std::string::npos);
+        EXPECT_NE(e.message().find("with common random numbers"), std::string::npos);
     }
 
     worldSampler other(truth(-1, 0), 100, vec());
-    other.failPacking(2);
+    other.failReplicate(2);
     const finding f(diagnose(other, set));
     ASSERT_EQ(f.failedRuns.size(), 2);
-    EXPECT_NE(told(f.failedRuns[0]).find("packing 2"), std::string::npos);
+    EXPECT_NE(told(f.failedRuns[0]).find("replicate 2"), std::string::npos);
     EXPECT_NE(told(f.failedRuns[1]).find("experiment B"), std::string::npos);
 }
 
 
-TEST(misfitFailedRuns, twoPackingsThatAreTheSameAreAnError)
+TEST(misfitFailedRuns, twoReplicatesThatAreTheSameAreAnError)
 {
-    // The surge in closed form has no grains: all its packings are alike
+    // The surge in closed form has no grains: all its replicates are alike
     settings set(worldSettings());
-    set.packings = 2;
+    set.replicates = 2;
     worldSampler s(truth(-1, 0), 100, vec());
     EXPECT_THROW(diagnose(s, set), Foam::error);
 }

@@ -147,7 +147,7 @@ TEST(misfitGates, fewHeldOutSamplesThatChanceLeavesNeitherRefuteNorConfirm)
 }
 
 
-TEST(misfitGates, whatHeldOutChannelsDoNotShowIsNotNamedAndChanceDoesNoHarm)
+TEST(misfitGates, whatHeldOutChannelsDoNotShowIsNotNamedAndChanceDegradesNothing)
 {
     // Where nothing was wrong before, held-out channels can only get worse
     for (const scalar share : {1.0, 0.1})
@@ -159,13 +159,16 @@ TEST(misfitGates, whatHeldOutChannelsDoNotShowIsNotNamedAndChanceDoesNoHarm)
             worldSampler s(truth(0, 0.25), seed, vec());
             s.holdOutLessOf(truth(0, 0.25), share);
             const finding f(diagnose(s));
-            refused += !passes(f, "harm");
-            EXPECT_FALSE(f.verdict == verdictKind::named && !passes(f, "harm"));
+            refused += !passes(f, "degradesHeldOut");
+            EXPECT_FALSE
+            (
+                f.verdict == verdictKind::named && !passes(f, "degradesHeldOut")
+            );
             EXPECT_EQ
             (
                 told(f).find("match of held-out channels worse")
              != std::string::npos,
-                f.verdict == verdictKind::unknown && !passes(f, "harm")
+                f.verdict == verdictKind::unknown && !passes(f, "degradesHeldOut")
             ) << told(f);
         }
         testNumber(share == 1 ? "refused, right" : "refused, wrong", refused);
@@ -186,7 +189,7 @@ TEST(misfitGates, whatSomethingUnknownDoesToHeldOutChannelsIsNotBlamedOnTheName)
     {
         worldSampler s(truth(2, 0.25), seed, added);
         s.holdOutLessOf(truth(2, 0.25), 1);
-        refused += !passes(diagnose(s), "harm");
+        refused += !passes(diagnose(s), "degradesHeldOut");
     }
     testNumber("refused beside something unknown", refused);
     EXPECT_LE(refused, 0.3*n);
@@ -300,20 +303,20 @@ TEST(misfitGates, whatGainsTooLittleIsNotSaid)
 }
 
 
-TEST(misfitGates, otherPackingsAreNoAlarmInAnotherExperiment)
+TEST(misfitGates, otherReplicatesAreNoAlarmInAnotherExperiment)
 {
     settings set(worldSettings());
-    set.packings = 20;
-    set.common = 3;
+    set.replicates = 20;
+    set.commonRandomNumbers = 3;
     const label n = 40;
     label alarms = 0;
     for (label k = 0; k < n; ++k)
     {
         worldSampler s(truth(-1, 0), 5000 + k, vec());
-        s.scatterPackings(0.04);
+        s.scatterReplicates(0.04);
         alarms += diagnose(s, set).verdict != verdictKind::none;
     }
-    testNumber("alarms of 40 nulls whose packings scatter", alarms);
+    testNumber("alarms of 40 nulls whose replicates scatter", alarms);
     EXPECT_LE(alarms, 4);
 }
 
@@ -446,7 +449,7 @@ TEST(misfitGates, whereTooMuchIsLeftThereIsMoreToItAndTheNameIsLessSure)
 TEST(misfitGates, oneThatWasNeverAskedHasNotPassed)
 {
     gateList gates;
-    gates.addNothing(gateKind::harm);
-    EXPECT_TRUE(gates.passed(gateKind::harm));
+    gates.addNothing(gateKind::degradesHeldOut);
+    EXPECT_TRUE(gates.passed(gateKind::degradesHeldOut));
     EXPECT_THROW(gates.passed(gateKind::placebo), Foam::error);
 }

@@ -191,7 +191,7 @@ TEST(misfitCovariance, itsSourcesMakeUpTheWhole)
         sources[2].second.squaredNorm(), 5*Foam::sqr(0.05)*f.squaredNorm(),
         0.3*5*Foam::sqr(0.05)*f.squaredNorm()
     );
-    EXPECT_EQ(sources[3].first, "start of time");
+    EXPECT_EQ(sources[3].first, "clock");
 }
 
 
@@ -200,12 +200,12 @@ TEST(misfitCovariance, whatStandsStillHasNoUncertaintyOfTheStartOfTime)
     const stacked data(oneChannel(40, 0));
     const vec still = vec::Constant(40, 5);
     const std::vector<uncertaintySource> sources(covariance(data, 0.02).sources(still));
-    EXPECT_EQ(sources[1].first, "start of time");
+    EXPECT_EQ(sources[1].first, "clock");
     EXPECT_EQ(sources[1].second.maxCoeff(), 0);
 }
 
 
-TEST(misfitCovariance, twentyPackingsGiveItsSizeAndMemory)
+TEST(misfitCovariance, twentyReplicatesGiveItsSizeAndMemory)
 {
     std::mt19937 generator(3);
     const label n = 40;
@@ -313,7 +313,7 @@ TEST(misfitSurface, runsUnderOneValueOfAVariableAreNoneToSpareForItsMixedTerms)
 }
 
 
-TEST(misfitSurface, aBankGivesMixedTermsAndItsOwnError)
+TEST(misfitSurface, aTrainingEnsembleGivesMixedTermsAndItsOwnError)
 {
     std::mt19937 generator(5);
     std::uniform_real_distribution<scalar> any(-1, 1);
@@ -357,7 +357,7 @@ TEST(misfitSurface, aBankGivesMixedTermsAndItsOwnError)
 TEST(misfitSurface, slopesAreDifferencesAndARunIsMet)
 {
     const world w(10);
-    statistics::responseSurface s(w.bank(80, 2));
+    statistics::responseSurface s(w.ensembleSurface(80, 2));
     vec at = vec::Constant(w.bounds.mean.size(), 0.2);
     const mat slopes = s.slopes(at);
     for (label i = 0; i < at.size(); ++i)
@@ -507,7 +507,7 @@ TEST(misfitScan, whatCalibrationCanExplainIsNoFinding)
 {
     const world w;
     const mat c = covariance(w.data, 0).at(w.data.y);
-    const statistics::responseSurface s(w.bank(80, 2));
+    const statistics::responseSurface s(w.ensembleSurface(80, 2));
     const vec direction = s.slopes(w.bounds.mean).col(0);
     const mat all = statistics::withFitted(c, direction, vec::Zero(1));
     const whitener white(all);

@@ -46,7 +46,7 @@ settings poorSettings()
         s.candidates.append({name, name, {}, 0.5, 1, 1, GREAT, {}});
     }
     s.correction = elements();
-    s.trigger = 0.005;
+    s.clockUncertainty = 0.005;
     s.draws = 500;
     return s;
 }
@@ -261,7 +261,7 @@ TEST(misfitUnknown, noiseAloneLeavesTheCorrectionZero)
         (
             fitCorrection
             (
-                asked, m, m.calibration->weigh(set.formulaTolerance).base(), {}, runs
+                asked, m, m.calibration->weigh(set.modelDiscrepancy).base(), {}, runs
             )
         );
         EXPECT_TRUE(c.elements.empty()) << told(c);

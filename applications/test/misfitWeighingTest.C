@@ -67,7 +67,7 @@ TEST(misfitWeighing, aLateRecorderIsTakenForThatAndNotForItsChannels)
 {
     world w(20);
     w.data.segments[0].recorder = w.data.segments[1].recorder = "logger";
-    const statistics::responseSurface surface(w.bank(120, 2));
+    const statistics::responseSurface surface(w.ensembleSurface(120, 2));
     const vec f = w(w.bounds.mean);
     const std::vector<sensorFault> clocks
     (
@@ -139,7 +139,7 @@ TEST(misfitWeighing, slopesOfAFaultyModelAreDifferences)
 {
     world w(20);
     w.data.y = w(w.bounds.mean);
-    const statistics::responseSurface surface(w.bank(80, 2));
+    const statistics::responseSurface surface(w.ensembleSurface(80, 2));
     for (const sensorFault& fault : possibleFaults(w.data, {faultKind::lag, faultKind::clogged, faultKind::gain}))
     {
         hypothesis h;
@@ -165,7 +165,7 @@ TEST(misfitWeighing, slopesOfAFaultyModelAreDifferences)
 TEST(misfitWeighing, aMistunedModelIsNotTakenForMissingPhysics)
 {
     world w(20);
-    const statistics::responseSurface surface(w.bank(120, 2));
+    const statistics::responseSurface surface(w.ensembleSurface(120, 2));
     std::mt19937 generator(21);
     label named = 0;
     const label n = 60;
@@ -183,7 +183,7 @@ TEST(misfitWeighing, aMistunedModelIsNotTakenForMissingPhysics)
 TEST(misfitWeighing, eachMechanismIsGivenTheMostWeightAlthoughItsFormulaDiffers)
 {
     world w(20);
-    const statistics::responseSurface surface(w.bank(120, 2));
+    const statistics::responseSurface surface(w.ensembleSurface(120, 2));
     std::mt19937 generator(22);
     label right = 0;
     const label n = 40;
@@ -217,7 +217,7 @@ TEST(misfitWeighing, eachMechanismIsGivenTheMostWeightAlthoughItsFormulaDiffers)
 TEST(misfitWeighing, aFaultySensorIsNotTakenForPhysics)
 {
     world w(20);
-    const statistics::responseSurface surface(w.bank(120, 2));
+    const statistics::responseSurface surface(w.ensembleSurface(120, 2));
     std::mt19937 generator(23);
     const std::pair<const char*, scalar> faults[] =
     {
@@ -251,7 +251,7 @@ TEST(misfitWeighing, aFaultySensorIsNotTakenForPhysics)
 TEST(misfitWeighing, whatIsNotInTheLibraryIsUnknown)
 {
     world w(20);
-    const statistics::responseSurface surface(w.bank(120, 2));
+    const statistics::responseSurface surface(w.ensembleSurface(120, 2));
     std::mt19937 generator(24);
     label unknown = 0;
     const label n = 10;
@@ -279,7 +279,7 @@ TEST(misfitWeighing, exchangedChannelsTakeWithThemWhatTheSimulationIsUncertainBy
     // At P2 the simulation is off by a wave that another mesh shows, at P1 it is sure.
     // Each of the two has the record of the other
     world w(20);
-    const statistics::responseSurface surface(w.bank(120, 2));
+    const statistics::responseSurface surface(w.ensembleSurface(120, 2));
     const segment& p2 = w.data.segments[1];
     vec wave = vec::Zero(w.data.size());
     p2.of(wave) = 300*(6*p2.x.array()).sin();

@@ -23,7 +23,7 @@ Foam::misfit::settings Foam::misfit::worldSettings()
         faultKind::clogged, faultKind::swapped, faultKind::misplaced, faultKind::units,
         faultKind::dead, faultKind::saturated
     };
-    s.trigger = 0.005;
+    s.clockUncertainty = 0.005;
     s.draws = 500;
     return s;
 }
@@ -57,7 +57,7 @@ void Foam::misfit::show(const finding& f)
         const gateWords words(told(g, f));
         std::printf
         (
-            "  %-10s %-7s %s (%s)\n", gateNames[g.kind].c_str(),
+            "  %-15s %-7s %s (%s)\n", gateNames[g.kind].c_str(),
             g.applies ? g.passed ? "passed" : "failed" : "-",
             words.value.c_str(), words.bound.c_str()
         );

@@ -97,7 +97,7 @@ bool Foam::misfit::worldSampler::fails(const runState& state)
     return
         (state.experiment == failing_ && state.strengths.size())
      || state.experiment == failingAlways_
-     || state.packing == failingPacking_
+     || state.replicate == failingReplicate_
      || (
             failsFiner_ && state.resolution != "base"
          && (failsFinerIn_.empty() || failsFinerIn_ == state.experiment)
@@ -118,9 +118,9 @@ Foam::misfit::samples Foam::misfit::worldSampler::run(const runState& state)
         return s;
     }
     const vec f =
-        (1 + packingChanges_*state.packing)
+        (1 + replicateChanges_*state.replicate)
        *(1 + (state.resolution == "base" ? 0 : finerChanges_))
-       *drawn(state.experiment, state.packing)
+       *drawn(state.experiment, state.replicate)
        *simulated(variables(state), state.experiment);
     if (state.experiment == "A")
     {
@@ -221,27 +221,27 @@ void Foam::misfit::worldSampler::failBetween(const label allowed)
 }
 
 
-void Foam::misfit::worldSampler::failPacking(const label packing)
+void Foam::misfit::worldSampler::failReplicate(const label replicate)
 {
-    packingChanges_ = 1e-4;
-    failingPacking_ = packing;
+    replicateChanges_ = 1e-4;
+    failingReplicate_ = replicate;
 }
 
 
 Foam::scalar Foam::misfit::worldSampler::drawn
 (
     const word& experiment,
-    const label packing
+    const label replicate
 ) const
 {
-    std::mt19937 generator(1000 + 10*packing + (experiment == "A"));
-    return 1 + packingScatter_*std::normal_distribution<scalar>()(generator);
+    std::mt19937 generator(1000 + 10*replicate + (experiment == "A"));
+    return 1 + replicateScatter_*std::normal_distribution<scalar>()(generator);
 }
 
 
-void Foam::misfit::worldSampler::scatterPackings(const scalar deviation)
+void Foam::misfit::worldSampler::scatterReplicates(const scalar deviation)
 {
-    packingScatter_ = deviation;
+    replicateScatter_ = deviation;
     for (observed& o : data_)
     {
         const scalar recorded = drawn(o.experiment, 1 + world_.data.y.sum());

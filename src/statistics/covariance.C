@@ -153,10 +153,10 @@ statistics::covariance::correlation(const double memory) const
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-statistics::covariance::covariance(const stacked& data, const double trigger)
+statistics::covariance::covariance(const stacked& data, const double clockUncertainty)
 :
     data_(data),
-    trigger_(trigger),
+    clockUncertainty_(clockUncertainty),
     fixed_(mat::Zero(data.size(), data.size())),
     memory_(0),
     shrinkage_(1)
@@ -249,7 +249,7 @@ void statistics::covariance::addRepeats
         return;
     }
     const mat deviations = runs.colwise() - vec(runs.rowwise().mean());
-    addSpread("packings", deviations, (1 + 1.0/averaged)*n/(n - 1));
+    addSpread("replicates", deviations, (1 + 1.0/averaged)*n/(n - 1));
 }
 
 
@@ -294,9 +294,9 @@ void statistics::covariance::addDirections
 statistics::mat statistics::covariance::at(const vec& f) const
 {
     mat all = fixed_ + ofGains(f);
-    if (trigger_ > 0)
+    if (clockUncertainty_ > 0)
     {
-        const vec shift = trigger_*timeSlope(data_, f);
+        const vec shift = clockUncertainty_*timeSlope(data_, f);
         all += shift*shift.transpose();
     }
     return all;
@@ -308,10 +308,10 @@ statistics::covariance::sources(const vec& f) const
 {
     std::vector<uncertaintySource> all(parts_);
     all[0].second += ofGains(f).diagonal();
-    if (trigger_ > 0)
+    if (clockUncertainty_ > 0)
     {
-        const vec shift = trigger_*timeSlope(data_, f);
-        all.push_back({"start of time", shift.cwiseAbs2()});
+        const vec shift = clockUncertainty_*timeSlope(data_, f);
+        all.push_back({"clock", shift.cwiseAbs2()});
     }
     for (uncertaintySource& s : all)
     {

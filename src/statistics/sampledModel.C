@@ -25,7 +25,7 @@ statistics::sampledModel::sampledModel
 (
     const stacked& data,
     const variableBounds& bounds,
-    const double trigger
+    const double clockUncertainty
 )
 :
     data_(data),
@@ -33,7 +33,7 @@ statistics::sampledModel::sampledModel
     samples_(data.size(), 0),
     repeats_(data.size(), 0),
     averaged_(1),
-    trigger_(trigger),
+    clockUncertainty_(clockUncertainty),
     bounds_(bounds)
 {}
 
@@ -62,7 +62,7 @@ void statistics::sampledModel::build(const vec& width)
     (
         new responseSurface(variables_, samples_, bounds_.mean, width)
     );
-    covariance_.reset(new covariance(data_, trigger_));
+    covariance_.reset(new covariance(data_, clockUncertainty_));
     covariance_->addRepeats(repeats_, averaged_);
     covariance_->addSpread("between the runs", surface_->leftOut(), 1);
     for (const std::pair<std::string, vec>& d : differences_)
@@ -75,7 +75,7 @@ void statistics::sampledModel::build(const vec& width)
 std::unique_ptr<statistics::sampledModel>
 statistics::sampledModel::copy() const
 {
-    auto copy = std::make_unique<sampledModel>(data_, bounds_, trigger_);
+    auto copy = std::make_unique<sampledModel>(data_, bounds_, clockUncertainty_);
     copy->variables_ = variables_;
     copy->samples_ = samples_;
     copy->repeats_ = repeats_;
@@ -90,7 +90,7 @@ statistics::sampledModel::copy() const
 std::unique_ptr<statistics::sampledModel>
 statistics::sampledModel::withVariables(const variableBounds& bounds) const
 {
-    auto other = std::make_unique<sampledModel>(data_, bounds, trigger_);
+    auto other = std::make_unique<sampledModel>(data_, bounds, clockUncertainty_);
     other->repeats_ = repeats_;
     other->averaged_ = averaged_;
     other->differences_ = differences_;
@@ -107,7 +107,7 @@ statistics::sampledModel::without
 {
     std::vector<int> keep;
     const stacked rest(data_.without(segment, keep));
-    auto copy = std::make_unique<sampledModel>(rest, bounds_, trigger_);
+    auto copy = std::make_unique<sampledModel>(rest, bounds_, clockUncertainty_);
     copy->variables_ = variables_;
     copy->samples_ = rowsOf(samples_, keep);
     copy->repeats_ = rowsOf(repeats_, keep);

@@ -100,7 +100,7 @@ statistics::mat statistics::weighing::ownCovariance
 
 
 statistics::mat
-statistics::weighing::otherFormula(const weighed& w) const
+statistics::weighing::modelDiscrepancy(const weighed& w) const
 {
     mat c = mat::Zero(data_.size(), data_.size());
     const hypothesisModel model(this->model(w.what));
@@ -109,7 +109,7 @@ statistics::weighing::otherFormula(const weighed& w) const
     {
         vec without = all;
         without[bounds_.nParameters + m] = 0;
-        const vec effect = tolerance_*(surface_(all) - surface_(without));
+        const vec effect = discrepancy_*(surface_(all) - surface_(without));
         for (const segment& s : data_.segments)
         {
             const vec part = s.of(effect);
@@ -205,14 +205,14 @@ statistics::weighing::weighing
     const responseSurface& surface,
     const variableBounds& bounds,
     const covariance& covariance,
-    const double tolerance
+    const double discrepancy
 )
 :
     data_(data),
     surface_(surface),
     bounds_(bounds),
     covariance_(covariance),
-    tolerance_(tolerance),
+    discrepancy_(discrepancy),
     effectiveSize_
     (
         std::max(whitener(covariance.at(surface(bounds.mean))).effectiveSize(), 8.0)
@@ -267,7 +267,7 @@ statistics::weighing::thoroughly(const weighed& quick) const
                     data_, covariance_, surface_, model(w.what), w
                 )
               : ownCovariance(w.what, w.best.f);
-            const mat c = own + otherFormula(w);
+            const mat c = own + modelDiscrepancy(w);
             w = quickly(quick.what, whitener(c));
             w.covariance = c;
         }
@@ -287,7 +287,7 @@ statistics::weighed statistics::weighing::where(const weighed& w) const
             isMoved(w.what)
           ? movedCovariance(data_, covariance_, surface_, model(w.what), w)
           : ownCovariance(w.what, model(w.what)(w.best.x));
-        there.covariance = own + otherFormula(w);
+        there.covariance = own + modelDiscrepancy(w);
     }
     return where(there, whitener(there.covariance));
 }

@@ -119,7 +119,7 @@ Foam::misfit::concealedCase Foam::misfit::drawing::draw()
     const scalar lot = any_(generator_);
     for (const parameter& p : parameters_)
     {
-        // As far as a bank reaches
+        // As far as an ensemble reaches
         const scalar z = min(max(normal_(generator_), -2.0), 2.0);
         const scalar x = p.mean + p.deviation*z;
         c.state.parameters.insert(p.name, min(max(x, p.lower), p.upper));

@@ -2,7 +2,7 @@
 // Cases whose cause is concealed: what making, diagnosing and scoring share.
 
 #include "concealedSet.H"
-#include "bankFile.H"
+#include "ensembleFile.H"
 #include "caseChange.H"
 #include "diagnosis.H"
 
@@ -57,14 +57,14 @@ public:
 };
 
 
-//- The random states of a bank in all experiments, and in those that decide other
-//  resolutions and, unless the side has one of its own, packings
-List<runState> bankStates
+//- The random states of an ensemble in all experiments, and in those that decide
+//  other resolutions and, unless the side has one of its own, replicates
+List<runState> ensembleStates
 (
     const settings& set,
     const wordList& experiments,
     const wordList& deciding,
-    const label packing
+    const label replicate
 )
 {
     nothingRecorded none;
@@ -74,10 +74,10 @@ List<runState> bankStates
     {
         for (runState s : stages[1].states)
         {
-            if (s.packing == 0)
+            if (s.replicate == 0)
             {
                 s.experiment = e;
-                s.packing = packing;
+                s.replicate = replicate;
                 states.append(s);
             }
         }
@@ -86,7 +86,7 @@ List<runState> bankStates
     {
         for (runState s : stages[0].states)
         {
-            if (s.resolution != "base" || (s.packing && !packing))
+            if (s.resolution != "base" || (s.replicate && !replicate))
             {
                 s.experiment = e;
                 states.append(s);
@@ -111,19 +111,19 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::concealedSide::runs
         List<prediction> all(solver_.predict(states));
         for (prediction& p : all)
         {
-            p = bankFile::reduced(p);
+            p = ensembleFile::reduced(p);
         }
         mkDir(file.path());
-        bankFile::write(file, bare_, digest, states, all);
+        ensembleFile::write(file, bare_, digest, states, all);
     }
-    return bankFile::read(file, bare_, digest, states);
+    return ensembleFile::read(file, bare_, digest, states);
 }
 
 
 Foam::misfit::concealedSide::concealedSide
 (
     const fileName& slice,
-    const fileName& banks,
+    const fileName& ensembles,
     const word& side,
     const bool useSolver
 )
@@ -133,18 +133,18 @@ Foam::misfit::concealedSide::concealedSide
     solver_(bare_, slice, dict_),
     useSolver_(useSolver)
 {
-    // What the solver shall compute needs no bank. The library's has the states that
-    // every diagnosis begins with; the truth's are drawn, and never those of a bank
+    // What the solver shall compute needs no ensemble. The library's has the states
+    // that every diagnosis begins with; the truth's are drawn, never those of one
     const settings set(readSettings(dict_));
     const bool isDrawn = side == "truth";
-    if (useSolver && (isDrawn || !isFile(banks/side + ".txt", false)))
+    if (useSolver && (isDrawn || !isFile(ensembles/side + ".txt", false)))
     {
         return;
     }
     wordList deciding(bare_.experiments(purpose::calibration));
     deciding.append(bare_.experiments(purpose::validation));
-    states_ = bankStates(set, bare_.experiments(), deciding, packing(side));
-    const List<prediction> all(runs(banks/side + ".txt", states_));
+    states_ = ensembleStates(set, bare_.experiments(), deciding, replicate(side));
+    const List<prediction> all(runs(ensembles/side + ".txt", states_));
     forAll(states_, i)
     {
         if (all[i].ok())
@@ -152,16 +152,16 @@ Foam::misfit::concealedSide::concealedSide
             known_.insert(told(states_[i]), all[i]);
         }
     }
-    bank_.reset
+    emulator_.reset
     (
         new emulatedPredictor(set.parameters, set.candidates, states_, all)
     );
 }
 
 
-bool Foam::misfit::concealedSide::hasPackings() const
+bool Foam::misfit::concealedSide::hasReplicates() const
 {
-    const List<caseChange> changes(readChanges(dict_, "packing"));
+    const List<caseChange> changes(readChanges(dict_, "replicateChanges"));
     return std::any_of
     (
         changes.begin(),
@@ -176,7 +176,7 @@ Foam::misfit::concealedSide::predict(const List<runState>& states)
 {
     if (!useSolver_)
     {
-        return bank_->predict(states);
+        return emulator_->predict(states);
     }
     List<prediction> all(states.size());
     List<runState> rest;
@@ -209,7 +209,7 @@ Foam::scalar Foam::misfit::concealedSide::difference(const label run)
 {
     const prediction now
     (
-        bankFile::reduced(solver_.predict(List<runState>(1, states_[run]))[0])
+        ensembleFile::reduced(solver_.predict(List<runState>(1, states_[run]))[0])
     );
     if (!now.ok() || !known_.found(told(states_[run])))
     {

@@ -22,7 +22,7 @@ using json = nlohmann::ordered_json;
 
 //- The second rival: the calibrated base, and what a Gaussian process has learnt
 //  from what it leaves at the fitted channels
-json rival(const finding& f, const scalar trigger)
+json rival(const finding& f, const scalar clockUncertainty)
 {
     json all = json::array();
     if (f.held.empty())
@@ -33,11 +33,11 @@ json rival(const finding& f, const scalar trigger)
     (
         f.data,
         f.data.y - f.before,
-        covariance(f.data, trigger).at(f.before)
+        covariance(f.data, clockUncertainty).at(f.before)
     );
     for (const heldOut& h : f.held)
     {
-        const whitener white(covariance(h.data, trigger).at(h.before));
+        const whitener white(covariance(h.data, clockUncertainty).at(h.before));
         const vec left = h.data.y - h.before;
         const scalar n = h.data.size();
         all.push_back
@@ -101,11 +101,11 @@ void Foam::misfit::diagnoseCases(concealedSide& library, const fileName& folder)
             continue;
         }
         const recordings recorded(withFiles(library.dict(), c), c);
-        predictedSampler ask(recorded, library, library.bank("A"));
+        predictedSampler ask(recorded, library, library.trainingEnsemble("A"));
         const finding found(diagnose(ask, set));
         const json proof =
         {
-            {"gaussianProcess", rival(found, set.trigger)},
+            {"gaussianProcess", rival(found, set.clockUncertainty)},
             {"effect", effect(found, set, ask)}
         };
         writeWhole(c/"proof.json", proof.dump(1) + '\n');

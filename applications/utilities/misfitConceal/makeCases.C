@@ -101,7 +101,7 @@ List<runState> statesOf
 (
     const concealedCase& c,
     const wordList& experiments,
-    const label packing
+    const label replicate
 )
 {
     List<runState> states;
@@ -114,7 +114,7 @@ List<runState> statesOf
     states.last().strengths.clear();
     for (runState& s : states)
     {
-        s.packing = packing;
+        s.replicate = replicate;
     }
     return states;
 }
@@ -178,12 +178,12 @@ void Foam::misfit::makeCases
     drawing lots(truth.dict(), truth.outside(), fittedChannels(all), key["seed"]);
     List<concealedCase> cases(n);
     List<runState> states;
-    const label own = truth.hasPackings();
+    const label own = truth.hasReplicates();
     forAll(cases, i)
     {
         cases[i] = lots.draw();
-        const label packing = concealedSide::packing("truth") + own*i;
-        states.append(statesOf(cases[i], all.experiments(), packing));
+        const label replicate = concealedSide::replicate("truth") + own*i;
+        states.append(statesOf(cases[i], all.experiments(), replicate));
     }
     const List<prediction> given(truth.predict(states));
     const label each = all.experiments().size() + 1;

@@ -26,39 +26,43 @@ void addOptions()
     argList::noFunctionObjects();
     argList::addOption("folder", "dir", "Of the cases");
     argList::addOption("key", "file", "The key; folder/key.json if not given");
-    argList::addOption("bank", "dir", "Of the banks; bank of the slice if not given");
+    argList::addOption
+    (
+        "ensemble", "dir", "Of the training ensembles; ensemble of the slice if not given"
+    );
     argList::addOption("make", "n", "Make so many cases and their key");
     argList::addOption("seed", "number", "For make; secret if not given");
     argList::addBoolOption("diagnose", "Diagnose all cases in the folder");
     argList::addBoolOption("score", "Score the verdicts against the key");
     argList::addBoolOption
     (
-        "check", "Compute a run of each bank that is used anew and tell the difference"
+        "check",
+        "Compute a run of each ensemble that is used anew and tell the difference"
     );
-    argList::addBoolOption("solver", "Each state by the solver, not the bank");
+    argList::addBoolOption("solver", "Each state by the solver, not the ensemble");
 }
 
 
-//- Largest difference of a run of these banks, computed anew, over the uncertainty
-//  of a reading
+//- Largest difference of a run of these ensembles, computed anew, over the
+//  uncertainty of a reading
 scalar difference
 (
     const fileName& slice,
-    const fileName& banks,
+    const fileName& ensembles,
     const wordList& sides
 )
 {
     scalar largest = 0;
     for (const word& side : sides)
     {
-        if (!isFile(banks/side + ".txt", false))
+        if (!isFile(ensembles/side + ".txt", false))
         {
             FatalErrorInFunction
-                << "There is no bank " << banks/side + ".txt" << " to check: -make,"
-                << " -diagnose and -score without -solver compute it" << exit(FatalError);
+                << "There is no ensemble " << ensembles/side + ".txt"
+                << " to check: -make, -diagnose and -score without -solver compute it" << exit(FatalError);
         }
         largest =
-            max(largest, concealedSide(slice, banks, side, false).difference(1));
+            max(largest, concealedSide(slice, ensembles, side, false).difference(1));
     }
     return largest;
 }
@@ -102,27 +106,27 @@ int main(int argc, char* argv[])
     (
         absolute(args.lookupOrDefault<fileName>("key", folder/"key.json"))
     );
-    const fileName banks
+    const fileName ensembles
     (
-        absolute(args.lookupOrDefault<fileName>("bank", slice/"bank"))
+        absolute(args.lookupOrDefault<fileName>("ensemble", slice/"ensemble"))
     );
     const bool solver = args.found("solver");
 
     if (args.found("make"))
     {
-        // Before a bank is computed
+        // Before an ensemble is computed
         const label secret = label(std::random_device()() >> 1);
         const label seed = args.lookupOrDefault<label>("seed", secret);
         mkDir(folder);
         beginKey(key, seed, args.found("seed"));
-        concealedSide truth(slice, banks, "truth", solver);
+        concealedSide truth(slice, ensembles, "truth", solver);
         makeCases(truth, folder, key, args.get<label>("make"));
     }
     if (args.found("diagnose") || args.found("score"))
     {
         concealedSide library
         (
-            slice, banks, "library", solver && args.found("diagnose")
+            slice, ensembles, "library", solver && args.found("diagnose")
         );
         if (args.found("diagnose"))
         {
@@ -135,13 +139,13 @@ int main(int argc, char* argv[])
     }
     if (args.found("check"))
     {
-        // The solver's truth has no bank
+        // The solver's truth has no ensemble
         wordList sides(1, "library");
         if (!solver)
         {
             sides.append("truth");
         }
-        Info<< "check " << difference(slice, banks, sides) << endl;
+        Info<< "check " << difference(slice, ensembles, sides) << endl;
     }
     return 0;
 }

@@ -12,7 +12,7 @@ Foam::misfit::sight::sight
 )
 :
     recorded_(withFiles(library.dict(), caseFolder), caseFolder),
-    ask_(new predictedSampler(recorded_, library, library.bank("A")))
+    ask_(new predictedSampler(recorded_, library, library.trainingEnsemble("A")))
 {
     const settings set(readSettings(library.dict()));
     beyond_ = set.beyond;

@@ -33,17 +33,17 @@ void tellPlan
         solver.tell(stage.name, stage.states);
         n += stage.states.size();
     }
-    const label refits = (set.refit + 3)*set.common;
+    const label refits = (set.refit + 3)*set.commonRandomNumbers;
     Info<< "Refit of the best explanations: " << refits << " to " << refits*set.passes
         << " runs at states that the sensitivities will show" << nl
-        << "Gates: " << 2*set.common
+        << "Gates: " << 2*set.commonRandomNumbers
         << " runs of each test experiment, up to "
-        << (2 + set.parameters.size())*set.common + set.packings
+        << (2 + set.parameters.size())*set.commonRandomNumbers + set.replicates
          + set.resolutions.size()
         << " of each validation experiment" << nl;
     if (set.correction.size())
     {
-        Info<< "Free correction: at most " << 4*set.passes*set.common
+        Info<< "Free correction: at most " << 4*set.passes*set.commonRandomNumbers
             << " runs, and 2 of each held-out experiment; none where there is"
             << " an answer" << nl;
     }
@@ -78,11 +78,11 @@ void warnOf(const settings& set)
             << "resolution is empty: what the mesh and the step change may be taken"
             << " for missing physics. Name a finer mesh there at least" << endl;
     }
-    if (set.packings > 1 && set.packings < 10)
+    if (set.replicates > 1 && set.replicates < 10)
     {
         WarningInFunction
-            << "packings is " << set.packings << ": the spread between them is known"
-            << " to about " << label(100/std::sqrt(2*(set.packings - 1.0)))
+            << "replicates is " << set.replicates << ": the spread of them is known"
+            << " to about " << label(100/std::sqrt(2*(set.replicates - 1.0)))
             << " % only, and intervals are too narrow. 20 are advised" << endl;
     }
 }

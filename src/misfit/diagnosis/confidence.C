@@ -93,14 +93,15 @@ void Foam::misfit::setConfidence(const settings& set, finding& f)
     }
 
     // Of 13 that hang on a channel ten: three of six there, seven of seven from the
-    // bank
+    // training ensemble
     if (ofPhysics && !f.gates.passed(gateKind::stability))
     {
         sum = min(sum, 0.77);
     }
 
     // 37 of 44 such verdicts were right where the solver made the recordings,
-    // 30 of 61 from the bank (validation/concealed). Not where runs are missing.
+    // 30 of 61 from the training ensemble (validation/concealed). Not where runs are
+    // missing.
     const bool asked = f.failing.empty() && f.failedRuns.empty();
     if (f.verdict == verdictKind::unknown && asked && !f.isUnproved())
     {

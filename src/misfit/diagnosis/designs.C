@@ -48,7 +48,7 @@ std::vector<Foam::misfit::vec> Foam::misfit::sensitivityDesign
 }
 
 
-std::vector<Foam::misfit::vec> Foam::misfit::bankDesign(const study& s)
+std::vector<Foam::misfit::vec> Foam::misfit::ensembleDesign(const study& s)
 {
     std::mt19937 generator(s.set().seed);
     std::uniform_real_distribution<scalar> any;
@@ -70,7 +70,7 @@ std::vector<Foam::misfit::vec> Foam::misfit::bankDesign(const study& s)
     };
 
     std::vector<vec> design(1, s.bounds().mean);
-    while (count(design) < s.set().bank)
+    while (count(design) < s.set().trainingEnsemble)
     {
         vec x = s.bounds().mean;
         for (label i = 0; i < nP; ++i)

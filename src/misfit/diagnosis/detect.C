@@ -101,12 +101,12 @@ std::vector<int> Foam::misfit::addCalibrationRuns(study& s, models& m)
     Info<< "Calibration" << endl;
     std::vector<vec> design
     (
-        s.set().bank ? bankDesign(s) : parameterDesign(s)
+        s.set().trainingEnsemble ? ensembleDesign(s) : parameterDesign(s)
     );
-    if (s.bank().size())
+    if (s.trainingEnsemble().size())
     {
         design.clear();
-        for (const runState& state : s.bank())
+        for (const runState& state : s.trainingEnsemble())
         {
             design.push_back(s.variables(state));
         }
@@ -170,7 +170,7 @@ Foam::misfit::weighed Foam::misfit::detect
     const statistics::scan raw(data, white, set.draws, set.seed);
     f.raw = raw(data.y - atMean, set.significance);
 
-    const weighed base(m.calibration->weigh(set.formulaTolerance).base());
+    const weighed base(m.calibration->weigh(set.modelDiscrepancy).base());
     forAll(set.parameters, i)
     {
         const parameter& p = set.parameters[i];
@@ -244,7 +244,7 @@ void Foam::misfit::addSensitivityRuns
     std::vector<int>& never
 )
 {
-    if (s.set().bank || s.bank().size())
+    if (s.set().trainingEnsemble || s.trainingEnsemble().size())
     {
         return;
     }

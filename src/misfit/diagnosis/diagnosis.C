@@ -19,14 +19,15 @@ using namespace Foam;
 using namespace Foam::misfit;
 
 //- The error of the clock is a shift in time
-void warnOfTrigger(const study& s)
+void warnOfClock(const study& s)
 {
     for (const segment& channel : s.data().calibration.segments)
     {
-        if (!channel.overTime && !channel.isNumber() && s.set().trigger > 0)
+        const bool moves = !channel.overTime && !channel.isNumber();
+        if (moves && s.set().clockUncertainty > 0)
         {
             WarningInFunction
-                << "trigger is not counted in " << channel.name.c_str()
+                << "clockUncertainty is not counted in " << channel.name.c_str()
                 << ", which is no series over time: put what the clock's error"
                 << " moves it by into its uncertainty" << endl;
         }
@@ -37,7 +38,7 @@ void warnOfTrigger(const study& s)
 finding diagnosed(sampler& ask, const settings& set)
 {
     study s(ask, set);
-    warnOfTrigger(s);
+    warnOfClock(s);
     models m(s);
     finding f;
     f.library = s.names();
@@ -61,7 +62,7 @@ finding diagnosed(sampler& ask, const settings& set)
     Info<< "Sensors and mechanisms" << endl;
     f.explained = explanations
     (
-        m.calibration->weigh(set.formulaTolerance).all
+        m.calibration->weigh(set.modelDiscrepancy).all
         (
             candidates.left,
             possibleFaults(m.calibration->data(), set.faults),
@@ -84,16 +85,16 @@ finding diagnosed(sampler& ask, const settings& set)
 }
 
 
-//- The states at these variables, with each of the common packings
-List<runState> packed(const study& s, const std::vector<vec>& design)
+//- The states at these variables, with each of the replicates with common random numbers
+List<runState> replicated(const study& s, const std::vector<vec>& design)
 {
     List<runState> states;
     for (const vec& x : design)
     {
-        for (label packing = 0; packing < s.set().common; ++packing)
+        for (label i = 0; i < s.set().commonRandomNumbers; ++i)
         {
             states.append(s.state(x));
-            states.last().packing = packing;
+            states.last().replicate = i;
         }
     }
     return states;
@@ -150,12 +151,12 @@ Foam::misfit::plan(sampler& ask, const settings& set)
 
     List<plannedStage> stages;
     stages.append({"Uncertainty", first});
-    if (set.bank)
+    if (set.trainingEnsemble)
     {
         stages.append
         ({
-            "Calibration and sensitivities, a bank of random runs",
-            packed(s, bankDesign(s))
+            "Calibration and sensitivities, a training ensemble of random runs",
+            replicated(s, ensembleDesign(s))
         });
     }
     else
@@ -165,12 +166,12 @@ Foam::misfit::plan(sampler& ask, const settings& set)
         {
             every.push_back(k);
         }
-        stages.append({"Calibration", packed(s, parameterDesign(s))});
+        stages.append({"Calibration", replicated(s, parameterDesign(s))});
         stages.append
         ({
             "Sensitivities of the mechanisms (around the calibrated state, not the"
             " one shown)",
-            packed(s, sensitivityDesign(s, s.bounds().mean, every))
+            replicated(s, sensitivityDesign(s, s.bounds().mean, every))
         });
     }
     if (set.correction.size())

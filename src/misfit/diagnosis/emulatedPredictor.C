@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Predictions from a bank of runs, without the solver.
+// Predictions from a training ensemble of runs, without the solver.
 
 #include "emulatedPredictor.H"
 #include "FlatOutput.H"
@@ -26,7 +26,7 @@ Foam::misfit::emulatedPredictor::variables(const runState& s) const
 bool Foam::misfit::emulatedPredictor::isVariant(const label run) const
 {
     const runState& s = states_[run];
-    return s.resolution != "base" || s.packing != states_.first().packing;
+    return s.resolution != "base" || s.replicate != states_.first().replicate;
 }
 
 
@@ -52,7 +52,7 @@ bool Foam::misfit::emulatedPredictor::isVariantOf
     return runs_[run].ok() && isVariant(run)
      && r.experiment == s.experiment
      && (r.resolution == "base" || r.resolution == s.resolution)
-     && (r.packing == states_.first().packing || r.packing == s.packing);
+     && (r.replicate == states_.first().replicate || r.replicate == s.replicate);
 }
 
 
@@ -130,7 +130,7 @@ Foam::misfit::emulatedPredictor::emulated(const runState& s) const
     prediction p;
     if (!emulators_.found(s.experiment))
     {
-        p.failure = "the bank has no experiment " + s.experiment;
+        p.failure = "the training ensemble has no experiment " + s.experiment;
         return p;
     }
     const emulator& e = *emulators_[s.experiment];
@@ -178,7 +178,7 @@ Foam::misfit::emulatedPredictor::emulatedPredictor
 {
     forAll(states, i)
     {
-        // That another packing or resolution failed must not stay unsaid
+        // That another replicate or resolution failed must not stay unsaid
         if (runs[i].ok() || isVariant(i))
         {
             known_.insert(told(states[i]), i);
@@ -214,7 +214,7 @@ Foam::misfit::emulatedPredictor::predict(const List<runState>& states)
 
 
 Foam::List<Foam::misfit::runState>
-Foam::misfit::emulatedPredictor::bank(const word& experiment) const
+Foam::misfit::emulatedPredictor::trainingEnsemble(const word& experiment) const
 {
     List<runState> some;
     forAll(states_, i)

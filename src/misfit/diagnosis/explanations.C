@@ -136,7 +136,7 @@ void Foam::misfit::explanations::forget(const hypothesis& h)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-std::vector<int> Foam::misfit::common(const std::vector<weighed>& list)
+std::vector<int> Foam::misfit::commonMechanisms(const std::vector<weighed>& list)
 {
     std::vector<int> core(list.front().what.mechanisms);
     for (const weighed& w : list)

@@ -78,7 +78,10 @@ class correctionFitter
         f.explained.number = number;
         f.explained.covariance = base_.covariance;
         f.explained =
-            m_.calibration->weigh(s_.set().formulaTolerance).again(f.explained, white_);
+            m_.calibration->weigh(s_.set().modelDiscrepancy).again
+            (
+                f.explained, white_
+            );
         return f;
     }
 
@@ -483,7 +486,7 @@ public:
             compared
             (
                 heldOut::part::test, here, purpose::test, testData,
-                given_.test, f.given.test, covariance(testData, set.trigger),
+                given_.test, f.given.test, covariance(testData, set.clockUncertainty),
                 set.adequacy
             )
         );
@@ -607,10 +610,10 @@ Foam::misfit::correctionRuns(const study& s)
     List<runState> states;
     for (const correctionElement& e : s.set().correction)
     {
-        for (label packing = 0; packing < s.set().common; ++packing)
+        for (label i = 0; i < s.set().commonRandomNumbers; ++i)
         {
             states.append(s.state(s.bounds().mean));
-            states.last().packing = packing;
+            states.last().replicate = i;
             states.last().strengths.insert(e.name, e.size);
         }
     }

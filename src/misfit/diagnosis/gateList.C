@@ -13,7 +13,7 @@ const Foam::Enum<Foam::misfit::gateKind> Foam::misfit::gateNames
     {gateKind::adequacy, "adequacy"},
     {gateKind::heldOut, "heldOut"},
     {gateKind::transfer, "transfer"},
-    {gateKind::harm, "harm"},
+    {gateKind::degradesHeldOut, "degradesHeldOut"},
     {gateKind::stability, "stability"},
     {gateKind::alone, "alone"},
     {gateKind::placebo, "placebo"}
@@ -75,7 +75,7 @@ bool Foam::misfit::gateList::allowAnswer() const
         const gateKind kind :
         {
             gateKind::computed, gateKind::adequacy, gateKind::heldOut,
-            gateKind::harm, gateKind::transfer, gateKind::alone,
+            gateKind::degradesHeldOut, gateKind::transfer, gateKind::alone,
             gateKind::placebo
         }
     )

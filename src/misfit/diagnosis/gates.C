@@ -3,7 +3,7 @@
 
 #include "gates.H"
 #include "detect.H"
-#include "harm.H"
+#include "degradesHeldOut.H"
 
 namespace
 {
@@ -12,9 +12,9 @@ using namespace Foam;
 using namespace Foam::misfit;
 
 //- The score that an explanation gains over the base, where that was recorded
-scalar gain(const sampledModel& m, const hypothesis& h, const scalar tolerance)
+scalar gain(const sampledModel& m, const hypothesis& h, const scalar discrepancy)
 {
-    const weighing weigh(m.weigh(tolerance));
+    const weighing weigh(m.weigh(discrepancy));
     const weighed base(weigh.base());
     return
         base.score
@@ -200,7 +200,7 @@ gate heldOutGate(const hypothesis& what, const heldOut& h, const label number)
 
 
 //- Only where the best makes held-out channels worse
-gate harmGate
+gate degradesHeldOutGate
 (
     const study& s,
     const models& m,
@@ -215,9 +215,9 @@ gate harmGate
     (
         atLeast
         (
-            gateKind::harm,
+            gateKind::degradesHeldOut,
             worse
-          ? chanceOfHarm(m, best, h, s.set().formulaTolerance) : 1,
+          ? chanceOfDegradation(m, best, h, s.set().modelDiscrepancy) : 1,
             s.set().significance
         )
     );
@@ -240,7 +240,7 @@ weighed winnerWithout
     const auto rest(m.calibration->without(channel, s.width()));
     const std::vector<weighed> all
     (
-        rest->weigh(s.set().formulaTolerance).all
+        rest->weigh(s.set().modelDiscrepancy).all
         (
             mechanisms,
             possibleFaults(rest->data(), s.set().faults),
@@ -308,13 +308,13 @@ scalar gainAlone
 (
     const sampledModel& m,
     const explanations& e,
-    const scalar tolerance
+    const scalar discrepancy
 )
 {
     const hypothesis& what = e.best().what;
     if (what.mechanisms.size())
     {
-        return gain(m, what, tolerance);
+        return gain(m, what, discrepancy);
     }
     for (const weighed& w : e.all())
     {
@@ -358,7 +358,7 @@ gate placeboGate
     const auto copy(m.calibration->copy());
 
     copy->record(2*base - y);
-    scalar placebo = gain(*copy, best.what, set.formulaTolerance);
+    scalar placebo = gain(*copy, best.what, set.modelDiscrepancy);
 
     // An effect that lasts is much the same at another time: no placebo then. And
     // what held-out data confirm was seen at other times and places indeed
@@ -370,7 +370,7 @@ gate placeboGate
     if (canMove)
     {
         copy->record(base + halfRoundLater(data, vec(y - base)));
-        placebo = max(placebo, gain(*copy, best.what, set.formulaTolerance));
+        placebo = max(placebo, gain(*copy, best.what, set.modelDiscrepancy));
     }
 
     gate g(below(gateKind::placebo, placebo, 0.5*alone));
@@ -381,7 +381,7 @@ gate placeboGate
 }
 
 
-//- Of each of these that gates, and the harm that channels show
+//- Of each of these for validation, and whether it degrades them
 void askHeldOut
 (
     const study& s,
@@ -392,7 +392,7 @@ void askHeldOut
 )
 {
     for (const gateKind k :
-        {gateKind::heldOut, gateKind::transfer, gateKind::harm})
+        {gateKind::heldOut, gateKind::transfer, gateKind::degradesHeldOut})
     {
         gates.addNothing(k);
     }
@@ -404,7 +404,7 @@ void askHeldOut
         }
         if (held[i].what == heldOut::part::validation)
         {
-            gates.add(harmGate(s, m, best, held[i], i));
+            gates.add(degradesHeldOutGate(s, m, best, held[i], i));
         }
     }
 }
@@ -451,7 +451,7 @@ std::map<Foam::word, Foam::misfit::covariance> Foam::misfit::askGates
     scalar alone = 0;
     if (detected)
     {
-        alone = gainAlone(*m.calibration, e, set.formulaTolerance);
+        alone = gainAlone(*m.calibration, e, set.modelDiscrepancy);
         f.gates.add
         (
             atLeast

@@ -84,11 +84,11 @@ std::vector<vec> calibrationSteps
 }
 
 
-//- Adds what packings and numerics change in another experiment; false if that is not
+//- Adds what replicates and numerics change in another experiment; false if it is not
 //  known
 bool addNumerics(study& s, const observed& other, covariance& known)
 {
-    const label packings = s.set().packings;
+    const label replicates = s.set().replicates;
     const List<runState> states(uncertaintyRuns(s, other.experiment));
     const List<samples> given(s.run(states));
     mat repeats(other.validation.size(), 0);
@@ -98,9 +98,9 @@ bool addNumerics(study& s, const observed& other, covariance& known)
         if (!given[i].ok())
         {
             s.leaveOut(states[i], given[i].failure);
-            confirms = confirms && i > 0 && i < packings;
+            confirms = confirms && i > 0 && i < replicates;
         }
-        else if (i < packings)
+        else if (i < replicates)
         {
             appendColumn(repeats, given[i].validation);
         }
@@ -112,8 +112,8 @@ bool addNumerics(study& s, const observed& other, covariance& known)
             );
         }
     }
-    known.addRepeats(repeats, s.set().common);
-    return confirms && (packings < 2 || repeats.cols() > 1);
+    known.addRepeats(repeats, s.set().commonRandomNumbers);
+    return confirms && (replicates < 2 || repeats.cols() > 1);
 }
 
 
@@ -207,7 +207,7 @@ class otherExperiments
         add
         (
             part::testElsewhere, purpose::test, other.test, before.test,
-            after.test, covariance(other.test, s_.set().trigger)
+            after.test, covariance(other.test, s_.set().clockUncertainty)
         );
     }
 
@@ -259,7 +259,10 @@ public:
         }
         const List<samples> given(s_.means(states));
 
-        covariance known(validates ? other.validation : other.test, s_.set().trigger);
+        covariance known
+        (
+            validates ? other.validation : other.test, s_.set().clockUncertainty
+        );
         if (validates && given[0].ok())
         {
             if (!addNumerics(s_, other, known))
@@ -382,7 +385,7 @@ Foam::misfit::heldOutTest Foam::misfit::testHeldOut
             heldOut::part::test, here, purpose::test, testData,
             before.given.test,
             withFault(m, e.best(), testData, after.given.test),
-            covariance(testData, s.set().trigger), s.set().adequacy
+            covariance(testData, s.set().clockUncertainty), s.set().adequacy
         )
     );
 

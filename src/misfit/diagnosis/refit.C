@@ -42,7 +42,7 @@ void preferAmongRivals(const study& s, const models& m, explanations& e)
 
     // What all rivals have on is the answer, if that alone is one of them
     const std::vector<weighed> near(e.rivals(s.set()));
-    const std::vector<int> core(common(near));
+    const std::vector<int> core(commonMechanisms(near));
     for (const weighed& w : near)
     {
         if (core.size() && w.what.mechanisms.size() == core.size())
@@ -143,7 +143,7 @@ Foam::misfit::refitted Foam::misfit::refit
     const auto local(surface.copy());
     const auto weigh = [&]()
     {
-        return local->weigh(s.set().formulaTolerance);
+        return local->weigh(s.set().modelDiscrepancy);
     };
     refitting with;
     with.expand = [&](const weighed& now)

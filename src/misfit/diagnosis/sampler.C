@@ -191,12 +191,12 @@ Foam::misfit::predictedSampler::predictedSampler
 (
     const recordings& all,
     predictor& p,
-    const List<runState>& bank
+    const List<runState>& trainingEnsemble
 )
 :
     recordings_(all),
     predictor_(p),
-    bank_(bank)
+    trainingEnsemble_(trainingEnsemble)
 {
     wordList names(all.experiments(purpose::calibration));
     names.append(all.experiments(purpose::validation));
@@ -237,23 +237,23 @@ Foam::labelList Foam::misfit::predictedSampler::channels
 Foam::List<Foam::misfit::samples>
 Foam::misfit::sampler::means(const List<runState>& states, const label n)
 {
-    List<runState> packed;
+    List<runState> replicated;
     for (const runState& s : states)
     {
-        for (label packing = 0; packing < n; ++packing)
+        for (label replicate = 0; replicate < n; ++replicate)
         {
-            packed.append(s);
-            packed.last().packing = packing;
+            replicated.append(s);
+            replicated.last().replicate = replicate;
         }
     }
-    const List<samples> all((*this)(packed));
+    const List<samples> all((*this)(replicated));
 
     List<samples> mean(states.size());
     forAll(mean, i)
     {
-        for (label packing = 0; packing < n; ++packing)
+        for (label replicate = 0; replicate < n; ++replicate)
         {
-            mean[i].add(all[i*n + packing]);
+            mean[i].add(all[i*n + replicate]);
         }
         mean[i].divide(n);
     }

@@ -34,28 +34,40 @@ std::vector<faultKind> readFaults(const dictionary& dict)
 }
 
 
+//- Keywords by the names that they had
+HashTable<word> formerKeywords()
+{
+    return HashTable<word>
+    ({
+        {"packing", "replicateChanges"}, {"packings", "replicates"},
+        {"common", "commonRandomNumbers"}, {"bank", "trainingEnsemble"},
+        {"trigger", "clockUncertainty"}
+    });
+}
+
+
 void readDecision(const dictionary& dict, settings& s)
 {
-    const dictionary decision
+    const dictionary decision(keywords::sub(dict, "decision"));
+    keywords::checkRenamed
     (
-        keywords::sub
-        (
-            dict,
-            "decision",
-            wordList
-            ({
-                "significance", "adequacy", "evidence", "gap", "pairGap",
-                "formulaTolerance", "refit", "passes", "pairs", "temperature",
-                "ceiling"
-            })
-        )
+        decision, {{"formulaTolerance", "modelDiscrepancy"}}
+    );
+    keywords::check
+    (
+        decision,
+        {
+            "significance", "adequacy", "evidence", "gap", "pairGap",
+            "modelDiscrepancy", "refit", "passes", "pairs", "temperature",
+            "ceiling"
+        }
     );
     decision.readIfPresent("significance", s.significance);
     decision.readIfPresent("adequacy", s.adequacy);
     decision.readIfPresent("evidence", s.evidence);
     decision.readIfPresent("gap", s.gap);
     decision.readIfPresent("pairGap", s.pairGap);
-    decision.readIfPresent("formulaTolerance", s.formulaTolerance);
+    decision.readIfPresent("modelDiscrepancy", s.modelDiscrepancy);
     decision.readIfPresent("refit", s.refit);
     decision.readIfPresent("passes", s.passes);
     decision.readIfPresent("pairs", s.pairs);
@@ -77,18 +89,19 @@ void readDecision(const dictionary& dict, settings& s)
 void checkSizes(const dictionary& dict, const settings& s)
 {
     const label terms = 1 + 2*(s.parameters.size() + s.candidates.size());
-    if (s.bank && s.bank < terms)
+    if (s.trainingEnsemble && s.trainingEnsemble < terms)
     {
         FatalIOErrorInFunction(dict)
-            << "bank is " << s.bank << ": a bank for " << s.parameters.size()
-            << " parameters and " << s.candidates.size() << " candidates needs "
-            << terms << " runs, better twice as many" << exit(FatalIOError);
+            << "trainingEnsemble is " << s.trainingEnsemble << ": one for "
+            << s.parameters.size() << " parameters and " << s.candidates.size()
+            << " candidates needs " << terms << " runs, better twice as many" << exit(FatalIOError);
     }
-    if (s.packings < 1 || s.common < 1 || s.draws < 100 || s.temperature <= 0)
+    const bool repeats = s.replicates >= 1 && s.commonRandomNumbers >= 1;
+    if (!repeats || s.draws < 100 || s.temperature <= 0)
     {
         FatalIOErrorInFunction(dict)
-            << "packings and common must be 1 or more, draws 100 or more, the"
-            << " temperature above zero" << exit(FatalIOError);
+            << "replicates and commonRandomNumbers must be 1 or more, draws 100 or"
+            << " more, the temperature above zero" << exit(FatalIOError);
     }
 }
 
@@ -97,15 +110,16 @@ void checkSizes(const dictionary& dict, const settings& s)
 
 Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
 {
+    keywords::checkRenamed(dict, formerKeywords());
     keywords::check
     (
         dict,
         {
             "FoamFile", "commands", "files", "ranks", "jobs", "timeLimit",
             "experiments", "channels", "heldOut", "samples", "parameters",
-            "candidates", "packing", "packings", "common", "resolution",
-            "bank", "trigger", "faults", "decision", "draws", "seed", "shared",
-            "correction"
+            "candidates", "replicateChanges", "replicates", "commonRandomNumbers",
+            "resolution", "trainingEnsemble", "clockUncertainty", "faults",
+            "decision", "draws", "seed", "shared", "correction"
         }
     );
 
@@ -118,12 +132,14 @@ Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
         (
             "most", s.correctionMost
         );
-    s.packings =
-        dict.found("packing") ? dict.getOrDefault<label>("packings", 20) : 1;
-    s.common = min(dict.getOrDefault<label>("common", 3), s.packings);
+    s.replicates =
+        dict.found("replicateChanges")
+      ? dict.getOrDefault<label>("replicates", 20) : 1;
+    s.commonRandomNumbers =
+        min(dict.getOrDefault<label>("commonRandomNumbers", 3), s.replicates);
     s.resolutions = keywords::sub(dict, "resolution").sortedToc();
-    s.bank = dict.getOrDefault<label>("bank", s.bank);
-    s.trigger = dict.getOrDefault<scalar>("trigger", s.trigger);
+    dict.readIfPresent("trainingEnsemble", s.trainingEnsemble);
+    dict.readIfPresent("clockUncertainty", s.clockUncertainty);
     s.draws = dict.getOrDefault<label>("draws", s.draws);
     s.seed = dict.getOrDefault<label>("seed", s.seed);
 

@@ -85,7 +85,7 @@ Foam::misfit::study::namesOf(const std::vector<int>& strengths) const
 std::unique_ptr<Foam::misfit::sampledModel>
 Foam::misfit::study::model(const stacked& data) const
 {
-    return std::make_unique<sampledModel>(data, bounds_, settings_.trigger);
+    return std::make_unique<sampledModel>(data, bounds_, settings_.clockUncertainty);
 }
 
 
@@ -132,8 +132,8 @@ Foam::misfit::study::run(const List<runState>& states)
 Foam::List<Foam::misfit::samples>
 Foam::misfit::study::means(const List<runState>& states)
 {
-    nRuns_ += states.size()*settings_.common;
-    return sampler_.means(states, settings_.common);
+    nRuns_ += states.size()*settings_.commonRandomNumbers;
+    return sampler_.means(states, settings_.commonRandomNumbers);
 }
 
 

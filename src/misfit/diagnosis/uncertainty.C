@@ -43,7 +43,7 @@ void checkFailure
     const string& why
 )
 {
-    if (run >= s.set().packings)
+    if (run >= s.set().replicates)
     {
         const word& name = state.resolution;
         FatalErrorInFunction
@@ -53,28 +53,29 @@ void checkFailure
             << " in system/misfitDict, or take it out. Finished runs are"
             << " kept" << exit(FatalError);
     }
-    if (run < s.set().common)
+    if (run < s.set().commonRandomNumbers)
     {
         FatalErrorInFunction
-            << "Packing " << run << ", one of the common " << s.set().common
+            << "Replicate " << run << ", one of the "
+            << s.set().commonRandomNumbers << " with common random numbers"
             << " that every state is computed with, failed: "
-            << why.c_str() << nl << "Mend what 'packing' changes"
-            << " in system/misfitDict, or ask for fewer with 'common'."
+            << why.c_str() << nl << "Mend 'replicateChanges'"
+            << " in system/misfitDict, or ask for fewer with 'commonRandomNumbers'."
             << " Finished runs are kept" << exit(FatalError);
     }
     s.leaveOut(state, why);
 }
 
 
-//- Stop where too few packings ran to know their spread
-void checkSpread(const label packings, const label ran)
+//- Stop where too few replicates ran to know their spread
+void checkSpread(const label replicates, const label ran)
 {
-    if (packings > 1 && ran < 2)
+    if (replicates > 1 && ran < 2)
     {
         FatalErrorInFunction
-            << "Of " << packings << " packings only " << ran
-            << " ran, so nothing is known of the spread between them: mend what"
-            << " 'packing' changes in system/misfitDict. Finished runs are kept"
+            << "Of " << replicates << " replicates only " << ran
+            << " ran, so nothing is known of the spread between them: mend"
+            << " 'replicateChanges' in system/misfitDict. Finished runs are kept"
             << exit(FatalError);
     }
 }
@@ -100,8 +101,8 @@ void checkChanges
 }
 
 
-//- Stop where two packings, a column each, are the same
-void checkPackings
+//- Stop where two replicates, a column each, are the same
+void checkReplicates
 (
     const mat& calibration,
     const mat& validation
@@ -118,11 +119,11 @@ void checkPackings
             )
             {
                 FatalErrorInFunction
-                    << "Two packings give the same numbers in all channels, so"
-                    << " the spread between packings comes out too small."
-                    << nl << "    Does what 'packing' changes in"
-                    << " system/misfitDict take the case's own value once more?"
-                    << " 'offset 1;' in it makes the second packing 2."
+                    << "Two replicates give the same numbers in all channels, so"
+                    << " the spread between replicates comes out too small."
+                    << nl << "    Does 'replicateChanges' in system/misfitDict"
+                    << " set the case's own value once more?"
+                    << " 'offset 1;' in it makes the second replicate 2."
                     << exit(FatalError);
             }
         }
@@ -150,10 +151,10 @@ Foam::List<Foam::misfit::runState> Foam::misfit::uncertaintyRuns
 )
 {
     List<runState> states;
-    for (label packing = 0; packing < s.set().packings; ++packing)
+    for (label replicate = 0; replicate < s.set().replicates; ++replicate)
     {
         states.append(s.state(experiment, s.bounds().mean));
-        states.last().packing = packing;
+        states.last().replicate = replicate;
     }
     for (const word& name : s.set().resolutions)
     {
@@ -179,7 +180,7 @@ void Foam::misfit::addUncertainty(study& s, models& m)
         {
             checkFailure(s, i, states[i], given[i].failure);
         }
-        else if (i < set.packings)
+        else if (i < set.replicates)
         {
             appendColumn(calibration, given[i].calibration);
             appendColumn(validation, given[i].validation);
@@ -195,8 +196,8 @@ void Foam::misfit::addUncertainty(study& s, models& m)
             m.validation->addDifference(states[i].resolution, ofValidation);
         }
     }
-    checkSpread(set.packings, calibration.cols());
-    checkPackings(calibration, validation);
-    m.calibration->addRepeats(calibration, set.common);
-    m.validation->addRepeats(validation, set.common);
+    checkSpread(set.replicates, calibration.cols());
+    checkReplicates(calibration, validation);
+    m.calibration->addRepeats(calibration, set.commonRandomNumbers);
+    m.validation->addRepeats(validation, set.commonRandomNumbers);
 }

@@ -102,7 +102,7 @@ void judge(const study& s, const std::vector<weighed>& near, finding& f)
         }
         return;
     }
-    const std::vector<int> core(common(near));
+    const std::vector<int> core(commonMechanisms(near));
     if (core.size() && isSame(best.mechanisms, core))
     {
         f.names = s.namesOf(core);
@@ -126,7 +126,7 @@ void weaken(const study& s, std::vector<weighed> near, finding& f)
         }
 
         // What wins without a channel, too, has some of it: that much is sure
-        const std::vector<int> sure(common(all));
+        const std::vector<int> sure(commonMechanisms(all));
         if (sure.size())
         {
             f.names = s.namesOf(sure);

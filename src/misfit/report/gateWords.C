@@ -36,7 +36,7 @@ gateWords ofComputed(const gate& g)
     {
         "The solver runs in experiment " + g.experiment,
         g.failure.size() ? g.failure
-      : string("what packings and numerics change there is not known"),
+      : string("what replicates and numerics change there is not known"),
         "runs"
     };
 }
@@ -81,7 +81,7 @@ string question(const gate& g, const finding& f)
                 "Mean square of the misfit at " + told(f.tested[g.held])
               + " (was " + threeDigits(f.tested[g.held].squareBefore)
               + "), which was not used to find it";
-        case gateKind::harm:
+        case gateKind::degradesHeldOut:
             return
                 "Chance that " + told(f.tested[g.held])
               + " are matched so much worse (mean square "

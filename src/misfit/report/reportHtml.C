@@ -118,7 +118,7 @@ std::string uncertain(const finding& f)
         " simulation with nothing wrong, root mean square over the record, and what"
         " it is made of (between the runs: of states that lie between those that were"
         " computed). Where a mesh outweighs the sensors, a finer one sees more, or places"
-        " amid cells of both; where packings do, more of them.</p>\n"
+        " amid cells of both; where replicates do, more of them.</p>\n"
       + table(head, rows);
 }
 

@@ -297,8 +297,8 @@ std::string Foam::misfit::glossary()
                     " nothing unknown beside it"},
                 {"heldOut, transfer", "whether it improves channels, and experiments,"
                     " that were not used to find it"},
-                {"harm", "whether it makes held-out channels worse than a right"
-                    " explanation can"},
+                {"degradesHeldOut", "whether it makes held-out channels worse than a"
+                    " right explanation can"},
                 {"stability", "whether it still wins when a channel is left out"},
                 {"placebo", "whether it fits a false misfit, reversed or moved in"
                     " time, nearly as well: then it fits anything. Not moved where"

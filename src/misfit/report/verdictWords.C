@@ -94,7 +94,7 @@ string whatFails(const finding& f)
     }
     const wordList failed(failedGates(f));
     const bool agreesElsewhere =
-        f.gates.passed(gateKind::heldOut) && f.gates.passed(gateKind::harm)
+        f.gates.passed(gateKind::heldOut) && f.gates.passed(gateKind::degradesHeldOut)
      && f.gates.passed(gateKind::transfer);
     return
         " well enough: " + theBest(f) + ", "
@@ -102,7 +102,7 @@ string whatFails(const finding& f)
           : "does not pass " + inWords(failed, "and"))
       + (agreesElsewhere ? ". Two faulty sensors look like that, too." : ".")
       + (
-            f.gates.passed(gateKind::harm) ? ""
+            f.gates.passed(gateKind::degradesHeldOut) ? ""
           : " It makes the match of held-out channels worse."
         );
 }

@@ -47,9 +47,9 @@ Foam::string Foam::misfit::told(const runState& state)
             }
         }
     }
-    if (state.packing)
+    if (state.replicate)
     {
-        os << ", packing " << state.packing;
+        os << ", replicate " << state.replicate;
     }
     if (state.resolution != "base")
     {
@@ -82,9 +82,9 @@ Foam::misfit::solverPredictor::changes(const runState& state) const
     {
         add(resolutions_[state.resolution], 0);
     }
-    if (state.packing)
+    if (state.replicate)
     {
-        add(packing_, state.packing);
+        add(replicateChanges_, state.replicate);
     }
     for (const parameter& p : parameters_)
     {
@@ -164,7 +164,7 @@ bool Foam::misfit::solverPredictor::isBase(const runState& state) const
     {
         atMean = atMean && *strength == 0;
     }
-    return atMean && !state.packing && state.resolution == "base";
+    return atMean && !state.replicate && state.resolution == "base";
 }
 
 
@@ -239,7 +239,7 @@ Foam::misfit::solverPredictor::solverPredictor
     candidates_(readCandidates(keywords::sub(dict, "candidates"))),
     correction_(dict),
     template_(templateCase),
-    packing_(readChanges(dict, "packing")),
+    replicateChanges_(readChanges(dict, "replicateChanges")),
     store_(templateCase, dict),
     rehearsed_(false)
 {

@@ -237,10 +237,10 @@ Foam::misfit::solverPredictor::statesWithAllChanges
         states.append(base);
         states.last().resolution = finer;
     }
-    if (hasPackings())
+    if (hasReplicates())
     {
         states.append(base);
-        states.last().packing = 2;
+        states.last().replicate = 2;
     }
     for (const candidate& c : candidates_)
     {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The runs of a bank in one text file, so that a proof needs no solver.
+// The runs of an ensemble in one text file, so that a proof needs no solver.
 
-#include "bankFile.H"
+#include "ensembleFile.H"
 #include "textFile.H"
 
 #include "error.H"
@@ -34,7 +34,7 @@ std::string nextLine(std::istream& is, const fileName& file)
     if (!std::getline(is, line))
     {
         FatalErrorInFunction
-            << "The bank " << file << " ends too early. Delete it to have it"
+            << "The ensemble " << file << " ends too early. Delete it to have it"
             << " computed anew" << exit(FatalError);
     }
     return line;
@@ -61,7 +61,7 @@ series readSeries(const std::string& line)
 
 
 Foam::misfit::prediction
-Foam::misfit::bankFile::reduced(const prediction& p)
+Foam::misfit::ensembleFile::reduced(const prediction& p)
 {
     prediction r;
     r.failure = p.failure;
@@ -80,7 +80,7 @@ Foam::misfit::bankFile::reduced(const prediction& p)
 }
 
 
-void Foam::misfit::bankFile::write
+void Foam::misfit::ensembleFile::write
 (
     const fileName& file,
     const recordings& channels,
@@ -118,7 +118,7 @@ void Foam::misfit::bankFile::write
 }
 
 
-Foam::List<Foam::misfit::prediction> Foam::misfit::bankFile::read
+Foam::List<Foam::misfit::prediction> Foam::misfit::ensembleFile::read
 (
     const fileName& file,
     const recordings& channels,
@@ -130,7 +130,7 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::bankFile::read
     if (nextLine(is, file) != digest)
     {
         FatalErrorInFunction
-            << "The bank " << file << " is of runs with other formulas, numbers or"
+            << "The ensemble " << file << " is of runs with other formulas, numbers or"
             << " channels than the dictionary of its side has now. Delete it to have"
             << " it computed anew" << exit(FatalError);
     }
@@ -140,7 +140,7 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::bankFile::read
         if (nextLine(is, file) != told(states[i]))
         {
             FatalErrorInFunction
-                << "The bank " << file << " is of another design: run "
+                << "The ensemble " << file << " is of another design: run "
                 << i + 1 << " should be " << told(states[i]).c_str()
                 << ". Delete it to have it computed anew" << exit(FatalError);
         }
@@ -152,7 +152,7 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::bankFile::read
                 runs[i].channels.append(readSeries(line));
                 if (line == "failed")
                 {
-                    runs[i].failure = "failed when the bank was made";
+                    runs[i].failure = "failed when the ensemble was made";
                 }
             }
             else

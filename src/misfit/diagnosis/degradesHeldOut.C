@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whether what is named makes held-out channels worse.
 
-#include "harm.H"
+#include "degradesHeldOut.H"
 
 #include <cmath>
 
@@ -11,13 +11,13 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
-//- Covariance of the errors of what the best predicts at the held-out channels: of its
-//  variables, of another formula, of something unknown beside it
+//- Covariance of the errors of what the best predicts at the held-out channels: of
+//  its variables, of another formula, of something unknown beside it
 mat predictionErrors
 (
     const models& m,
     const weighed& best,
-    const scalar tolerance
+    const scalar discrepancy
 )
 {
     const vec& x = best.best.x;
@@ -26,9 +26,9 @@ mat predictionErrors
         m.calibration->model(best.what), whitener(best.covariance), x
     );
     const mat there = m.validation->model(best.what).slopes(x);
-    const weighing weigh(m.validation->weigh(tolerance));
+    const weighing weigh(m.validation->weigh(discrepancy));
     mat errors =
-        there*unsure*there.transpose() + weigh.otherFormula(best);
+        there*unsure*there.transpose() + weigh.modelDiscrepancy(best);
     if (best.what.unknown)
     {
         errors += weigh.unknownShape(best.amplitude, best.length);
@@ -39,12 +39,12 @@ mat predictionErrors
 } // End anonymous namespace
 
 
-Foam::scalar Foam::misfit::chanceOfHarm
+Foam::scalar Foam::misfit::chanceOfDegradation
 (
     const models& m,
     const weighed& best,
     const heldOut& h,
-    const scalar tolerance
+    const scalar discrepancy
 )
 {
     // Given the effect that it predicts, what a right prediction leaves has the mean
@@ -53,7 +53,7 @@ Foam::scalar Foam::misfit::chanceOfHarm
     const whitener white(known.at(h.after));
     const vec effect = white(vec(h.after - h.before));
     const vec left = white(vec(h.data.y - h.after));
-    const mat half = white(predictionErrors(m, best, tolerance));
+    const mat half = white(predictionErrors(m, best, discrepancy));
     const mat errors = white(mat(half.transpose()));
     const scalar deviation =
         std::sqrt(effect.squaredNorm() + effect.dot(errors*effect));

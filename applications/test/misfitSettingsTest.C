@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Keywords of system/misfitDict that have another name now.
+
+#include "saidDuring.H"
+#include "settings.H"
+
+#include "IStringStream.H"
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+namespace
+{
+
+//- What is said where a dictionary holds that
+std::string refusalOf(const std::string& entries)
+{
+    return refusal([&]{ readSettings(dictionary(IStringStream(entries)())); });
+}
+
+
+//- Whether it is said that the old keyword is called the present one now
+bool isNamed(const std::string& entries, const std::string& present)
+{
+    return
+        refusalOf(entries).find("is called " + present + " now")
+     != std::string::npos;
+}
+
+} // End anonymous namespace
+
+
+TEST(misfitSettings, aFormerKeywordIsAnErrorThatSaysThePresentOne)
+{
+    EXPECT_TRUE(isNamed("trigger 0.01;", "clockUncertainty"));
+    EXPECT_TRUE(isNamed("packing ();", "replicateChanges"));
+    EXPECT_TRUE(isNamed("packings 20;", "replicates"));
+    EXPECT_TRUE(isNamed("common 3;", "commonRandomNumbers"));
+    EXPECT_TRUE(isNamed("bank 100;", "trainingEnsemble"));
+    EXPECT_TRUE
+    (
+        isNamed("decision { formulaTolerance 0.2; }", "modelDiscrepancy")
+    );
+}
+
+
+TEST(misfitSettings, thePresentKeywordsAreRead)
+{
+    const settings s
+    (
+        readSettings
+        (
+            dictionary
+            (
+                IStringStream
+                (
+                    "clockUncertainty 0.01; replicateChanges (); replicates 12;"
+                    " commonRandomNumbers 2; trainingEnsemble 100;"
+                    " decision { modelDiscrepancy 0.3; }"
+                )()
+            )
+        )
+    );
+    EXPECT_EQ(s.clockUncertainty, 0.01);
+    EXPECT_EQ(s.replicates, 12);
+    EXPECT_EQ(s.commonRandomNumbers, 2);
+    EXPECT_EQ(s.trainingEnsemble, 100);
+    EXPECT_EQ(s.modelDiscrepancy, 0.3);
+}
