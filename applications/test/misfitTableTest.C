@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Columns of a table at wrong rows: arrangements of labels, identities, chance.
+
+#include "columnFault.H"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <set>
+#include <stdexcept>
+
+using statistics::columnFault;
+using statistics::columnFaultKind;
+using statistics::columnFaults;
+using statistics::factorialTable;
+using statistics::identity;
+using statistics::mat;
+using statistics::rowSources;
+using statistics::vec;
+
+namespace
+{
+
+//- Three factors of three levels: 27 rows
+mat threeByThree()
+{
+    mat result(27, 3);
+    for (int i = 0; i < 27; ++i)
+    {
+        result.row(i) << 10*(1 + i/9), 1 + i/3%3, 0.5 + 0.1*(i%3);
+    }
+    return result;
+}
+
+
+double rounded(const double x, const double digit)
+{
+    return std::round(x/digit)*digit;
+}
+
+
+//- Columns q, x, y with q = x/sqrt(y), printed to 0.01, 0.01 and 0.001; noise
+//  of q as a share of it
+mat printedTable(std::mt19937& random, const double noise = 0)
+{
+    std::uniform_real_distribution<> share(0, 1);
+    mat result(27, 3);
+    for (int i = 0; i < 27; ++i)
+    {
+        const double x = rounded(1.5 + share(random), 0.01);
+        const double y = rounded(0.05 + 0.1*share(random), 0.001);
+        const double q = x/std::sqrt(y)*(1 + noise*(share(random) - 0.5));
+        result.row(i) << rounded(q, 0.01), x, y;
+    }
+    return result;
+}
+
+
+const vec roundings = (vec(3) << 0.005, 0.005, 0.0005).finished();
+
+
+std::vector<columnFault> triedOf(const mat& table)
+{
+    identity law("q", "x/sqrt(y)");
+    return columnFaults(law, table, roundings, 0.01)
+        .tried(factorialTable(threeByThree()));
+}
+
+} // End anonymous namespace
+
+
+TEST(misfitTable, arrangementsOfThreeLabelsOfThreeLevelsAreAllOthersOf1296)
+{
+    const factorialTable table(threeByThree());
+    const auto all = table.arrangements();
+    EXPECT_EQ(all.size(), 1295u);
+
+    std::set<rowSources> different;
+    for (const auto& one : all)
+    {
+        different.insert(table.sources(one));
+    }
+    EXPECT_EQ(different.size(), 1295u);
+}
+
+
+TEST(misfitTable, onlyFactorsWithAsManyLevelsAreExchanged)
+{
+    mat factors(6, 2);
+    factors << 1, 1, 1, 2, 1, 3, 2, 1, 2, 2, 2, 3;
+    EXPECT_EQ(factorialTable(factors).arrangements().size(), 2u*6u - 1u);
+}
+
+
+TEST(misfitTable, exchangeOfTwoLabelsTakesTheNumberOfTheMirroredRun)
+{
+    const factorialTable table(threeByThree());
+    const statistics::labelArrangement exchanged
+    {
+        {1, 0, 2}, {{0, 1, 2}, {0, 1, 2}, {0, 1, 2}}
+    };
+    const rowSources sources = table.sources(exchanged);
+
+    // Row 3 is (10 2 0.5); (20 1 0.5) is row 9
+    EXPECT_EQ(sources[3], 9);
+    EXPECT_EQ(sources[9], 3);
+    EXPECT_EQ(sources[0], 0);
+    EXPECT_EQ(statistics::inverse(sources), sources);
+}
+
+
+TEST(misfitTable, tableWithoutARowForEachCombinationIsRefused)
+{
+    const mat factors = threeByThree();
+    EXPECT_THROW(factorialTable(factors.topRows(26)), std::invalid_argument);
+
+    mat twice = factors;
+    twice.row(3) = twice.row(4);
+    EXPECT_THROW(factorialTable{twice}, std::invalid_argument);
+}
+
+
+TEST(misfitTable, moreArrangementsThanCanBeTriedAreRefused)
+{
+    mat factors(64, 2);
+    for (int i = 0; i < 64; ++i)
+    {
+        factors.row(i) << i/8, i%8;
+    }
+    EXPECT_THROW(factorialTable(factors).arrangements(), std::length_error);
+}
+
+
+TEST(misfitTable, identityHoldsWithinRoundingAndNotBeyond)
+{
+    identity law("q", "x/y");
+    EXPECT_EQ(law.columns(), (std::vector<std::string>{"q", "x", "y"}));
+
+    const vec digits = (vec(3) << 0.005, 0.05, 0.5).finished();
+    const auto row = [](const double q, const double x, const double y)
+    {
+        return (vec(3) << q, x, y).finished();
+    };
+    EXPECT_DOUBLE_EQ(law.value(row(0, 3, 4)), 0.75);
+
+    // 10.05/1.5 is 6.7, the most that 10.0/2 may have been
+    EXPECT_TRUE(law.holds(row(6.70, 10, 2), digits));
+    EXPECT_FALSE(law.holds(row(6.71, 10, 2), digits));
+}
+
+
+TEST(misfitTable, formulaThatCannotBeReadIsRefused)
+{
+    EXPECT_THROW(identity("q", "x/"), std::invalid_argument);
+    EXPECT_THROW(identity("q", "2"), std::invalid_argument);
+    EXPECT_THROW(identity("q", "q*x"), std::invalid_argument);
+}
+
+
+TEST(misfitTable, anArrangementOfLabelsIsFoundInTablesMadeByChance)
+{
+    const factorialTable factorial(threeByThree());
+    const auto all = factorial.arrangements();
+    for (unsigned seed = 1; seed <= 20; ++seed)
+    {
+        std::mt19937 random(seed);
+        mat table = printedTable(random);
+        const int column = seed%3;
+        const auto& made = all[random()%all.size()];
+        const rowSources way = factorial.sources(made);
+        const vec right = table.col(column);
+        table.col(column) = statistics::moved(right, statistics::inverse(way));
+
+        const columnFault best = triedOf(table).front();
+        EXPECT_EQ(best.kind, columnFaultKind::labels) << "seed " << seed;
+        EXPECT_EQ(best.column, column) << "seed " << seed;
+        EXPECT_EQ(statistics::moved(table.col(column), best.sources), right);
+        EXPECT_EQ(best.match.exact, 27);
+        EXPECT_LT(best.chance, 1e-3) << "seed " << seed;
+    }
+}
+
+
+TEST(misfitTable, ATableThatMissesItsIdentityForAnotherReasonHasNoLikelyExchange)
+{
+    for (unsigned seed = 1; seed <= 20; ++seed)
+    {
+        std::mt19937 random(seed);
+        const columnFault best = triedOf(printedTable(random, 0.6)).front();
+        EXPECT_GT(best.chance, 1e-3) << "seed " << seed;
+    }
+}
+
+
+TEST(misfitTable, twoExchangedRowsAreFoundWhereTheIdentityIsSharp)
+{
+    std::mt19937 random(3);
+    mat table(27, 3);
+    std::uniform_real_distribution<> share(1, 2);
+    for (int i = 0; i < 27; ++i)
+    {
+        const double x = share(random);
+        const double y = share(random);
+        table.row(i) << x/std::sqrt(y), x, y;
+    }
+    std::swap(table(4, 1), table(20, 1));
+
+    identity law("q", "x/sqrt(y)");
+    const columnFault best =
+        columnFaults(law, table, vec::Constant(3, 1e-6), 0.01)
+       .tried(factorialTable(threeByThree())).front();
+    EXPECT_EQ(best.kind, columnFaultKind::rows);
+    EXPECT_EQ(best.column, 1);
+    EXPECT_EQ(best.sources[4], 20);
+    EXPECT_EQ(best.match.exact, 27);
+}

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "tableCheck.H"
+
+#include "error.H"
+#include "keywords.H"
+#include "rankCorrelation.H"
+#include "tableColumns.H"
+
+#include <fstream>
+#include <stdexcept>
+
+namespace Foam
+{
+namespace misfit
+{
+
+namespace
+{
+
+// Of the columns of an identity
+wordList namesOf(const statistics::identity& law)
+{
+    wordList result;
+    for (const std::string& name : law.columns())
+    {
+        result.append(word(name));
+    }
+    return result;
+}
+
+
+statistics::identity readIdentity(const dictionary& dict)
+{
+    keywords::check(dict, {"quantity", "formula"});
+    return
+        statistics::identity
+        (
+            dict.get<word>("quantity"),
+            dict.get<string>("formula")
+        );
+}
+
+
+// Half of the last printed digit of each column
+vec readRoundings(const dictionary& dict, const wordList& columns)
+{
+    keywords::check(dict, columns);
+    vec result(columns.size());
+    forAll(columns, i)
+    {
+        result[i] = dict.get<scalar>(columns[i]);
+    }
+    return result;
+}
+
+} // End anonymous namespace
+
+
+mat tableCheck::read(const wordList& names) const
+{
+    std::ifstream is(file_);
+    if (!is)
+    {
+        throw std::invalid_argument("it cannot be read");
+    }
+    const mat result =
+        statistics::readColumns(is, {names.begin(), names.end()});
+    if (result.hasNaN())
+    {
+        throw std::invalid_argument("a cell that is asked for is empty");
+    }
+    return result;
+}
+
+
+std::vector<statedCorrelation> tableCheck::readStated(const dictionary& dict)
+{
+    keywords::check(dict, {"columns", "values"});
+    const auto pairs = dict.lookupOrDefault("columns", List<Pair<word>>());
+    const auto values = dict.lookupOrDefault("values", scalarList());
+    if (pairs.size() != values.size())
+    {
+        FatalIOErrorInFunction(dict)
+            << "correlations: " << values.size() << " values for " << pairs.size()
+            << " pairs of columns; give one for each" << exit(FatalIOError);
+    }
+    std::vector<statedCorrelation> result;
+    forAll(pairs, i)
+    {
+        result.push_back({pairs[i], values[i]});
+    }
+    return result;
+}
+
+
+tableCheck::tableCheck(const dictionary& dict)
+:
+    file_(dict.get<fileName>("table")),
+    law_(readIdentity(dict.subDict("identity"))),
+    factorNames_(dict.get<wordList>("factors")),
+    factorial_(read(factorNames_)),
+    table_(read(columns())),
+    limit_(dict.lookupOrDefault<scalar>("chance", 0.001)),
+    stated_(readStated(keywords::sub(dict, "correlations")))
+{
+    keywords::check
+    (
+        dict,
+        {
+            "FoamFile", "table", "factors", "identity", "roundings", "tolerance",
+            "chance", "correlations"
+        }
+    );
+    const statistics::columnFaults faults
+    (
+        law_,
+        table_,
+        readRoundings(dict.subDict("roundings"), columns()),
+        dict.lookupOrDefault<scalar>("tolerance", 0.01)
+    );
+    printed_ = faults.asPrinted();
+    tried_ = faults.tried(factorial_);
+}
+
+
+wordList tableCheck::columns() const
+{
+    return namesOf(law_);
+}
+
+
+std::vector<columnFault> tableCheck::best() const
+{
+    std::vector<columnFault> result;
+    for (const columnFault& one : tried_)
+    {
+        if (one.match.exact < tried_.front().match.exact)
+        {
+            break;
+        }
+        result.push_back(one);
+    }
+    return result;
+}
+
+
+tableVerdict tableCheck::verdict() const
+{
+    if (printed_.match.exact == factorial_.nRows())
+    {
+        return tableVerdict::none;
+    }
+    const columnFault& first = tried_.front();
+    return
+        first.match.exact > printed_.match.exact && first.chance < limit_
+      ? tableVerdict::registration
+      : tableVerdict::unknown;
+}
+
+
+scalar tableCheck::fromStated(const mat& columns) const
+{
+    const wordList names = this->columns();
+    const auto numbers = [&](const word& name) -> vec
+    {
+        const label i = names.find(name);
+        return i < 0 ? vec(read({name})) : vec(columns.col(i));
+    };
+
+    scalar most = 0;
+    for (const statedCorrelation& one : stated_)
+    {
+        const scalar r = statistics::correlation
+        (
+            numbers(one.columns.first()),
+            numbers(one.columns.second())
+        );
+        most = max(most, mag(r - one.value));
+    }
+    return most;
+}
+
+
+scalar tableCheck::columnMoved(const columnFault& fault) const
+{
+    mat columns = table_;
+    columns.col(fault.column) = corrected(fault);
+    return fromStated(columns);
+}
+
+
+scalar tableCheck::othersMoved(const columnFault& fault) const
+{
+    const statistics::rowSources back = statistics::inverse(fault.sources);
+    mat columns = table_;
+    for (label c = 0; c < columns.cols(); ++c)
+    {
+        if (c != fault.column)
+        {
+            columns.col(c) = statistics::moved(table_.col(c), back);
+        }
+    }
+    return fromStated(columns);
+}
+
+
+bool tableCheck::columnIsMoved(const columnFault& fault) const
+{
+    return !hasStated() || columnMoved(fault) <= othersMoved(fault);
+}
+
+
+vec tableCheck::corrected(const columnFault& fault) const
+{
+    return statistics::moved(table_.col(fault.column), fault.sources);
+}
+
+} // End namespace misfit
+} // End namespace Foam
