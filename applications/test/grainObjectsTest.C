@@ -256,10 +256,10 @@ TEST_F(tank, theMeanVelocityOfTheWholeBedIsByMassAndOverNetErosionAlsoOfARunThat
 
     {
         functionObjects::bedErosion bed("bed", box_.time(), dict(entries));
-        look(bed, 40, 1);
+        sample(bed, 40, 1);
         EXPECT_NEAR(lastLine("bed", "bedErosion")[15], 30, 1e-6);
-        look(bed, 4, 0.8);
-        look(bed, 8, 0.8);
+        sample(bed, 4, 0.8);
+        sample(bed, 8, 0.8);
         ASSERT_EQ(lastLine("bed", "summary").size(), 10);
         EXPECT_NEAR(lastLine("bed", "summary")[9], 4.5, 1e-6);
 
@@ -275,7 +275,7 @@ TEST_F(tank, theMeanVelocityOfTheWholeBedIsByMassAndOverNetErosionAlsoOfARunThat
     }
 
     functionObjects::bedErosion again("bed", box_.time(), dict(entries));
-    look(again, 12, 0.8);
+    sample(again, 12, 0.8);
     EXPECT_NEAR(lastLine("bed", "summary_0")[9], 6, 1e-6);
 }
 
@@ -378,11 +378,11 @@ TEST_F(tank, whatIsKeptForARestartIsGatheredWhereATimeIsWrittenNotAtEachLook)
         return box_.time().value();
     };
 
-    scalarList times({look(), look()});
+    scalarList times({sample(), sample()});
     const auto before = state().size();
     for (label n = 0; n < 50; ++n)
     {
-        times.append(look());
+        times.append(sample());
     }
     EXPECT_LE(state().size(), before + 20);
 

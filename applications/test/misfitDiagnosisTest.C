@@ -145,9 +145,9 @@ TEST(misfitDiagnosis, strengthsOfASetAreToldWithWhatWasFitted)
     const word& name = f.strengths[0].name;
     EXPECT_NE
     (
-        told(f).find(". As fitted with " + name + ": strength of " + name + ' '),
+        describe(f).find(". As fitted with " + name + ": strength of " + name + ' '),
         std::string::npos
-    ) << told(f);
+    ) << describe(f);
 }
 
 
@@ -161,8 +161,8 @@ TEST(misfitDiagnosis, aSetSaysWhatActsTogether)
     ASSERT_EQ(f.verdict, verdictKind::set);
     EXPECT_NE
     (
-        told(f).find(" and longTail together, or "), std::string::npos
-    ) << told(f);
+        describe(f).find(" and longTail together, or "), std::string::npos
+    ) << describe(f);
 }
 
 
@@ -176,15 +176,15 @@ TEST(misfitDiagnosis, theSimplerOneIsNotCalledTheBest)
     const finding f(diagnose(s));
     show(f);
     ASSERT_EQ(f.verdict, verdictKind::unknown);
-    EXPECT_NE(told(f.posterior.front().first, f.library), world::mechanism(0));
+    EXPECT_NE(describe(f.posterior.front().first, f.library), world::mechanism(0));
     EXPECT_NE
     (
-        told(f).find
+        describe(f).find
         (
             "the best simple explanation, " + world::mechanism(0) + " ("
         ),
         std::string::npos
-    ) << told(f);
+    ) << describe(f);
 }
 
 
@@ -200,9 +200,10 @@ TEST(misfitDiagnosis, twoMechanismsAtOnceAreBothNamed)
     scalar sum = 0;
     for (const auto& p : f.posterior)
     {
+        const std::string what(describe(p.first, f.library));
         const bool same =
-            told(p.first, f.library).find(world::mechanism(0)) != std::string::npos
-         && told(p.first, f.library).find(world::mechanism(2)) != std::string::npos;
+            what.find(world::mechanism(0)) != std::string::npos
+         && what.find(world::mechanism(2)) != std::string::npos;
         sum += same ? p.second : 0;
     }
     EXPECT_NEAR(f.confidence, min(sum, 0.95), 1e-6);
@@ -235,9 +236,10 @@ TEST(misfitDiagnosis, aFaultySensorIsBlamedAndNotPhysics)
     show(f);
     EXPECT_EQ(f.verdict, verdictKind::sensor);
     EXPECT_EQ(f.names, wordList({"P1"}));
-    EXPECT_NE(told(f).find("zero"), std::string::npos) << told(f);
-    EXPECT_NE(told(f).find(" Pa too high"), std::string::npos) << told(f);
-    EXPECT_NE(told(f).find(" % of that (95 %)"), std::string::npos) << told(f);
+    EXPECT_NE(describe(f).find("zero"), std::string::npos) << describe(f);
+    EXPECT_NE(describe(f).find(" Pa too high"), std::string::npos) << describe(f);
+    EXPECT_NE(describe(f).find(" % of that (95 %)"), std::string::npos)
+        << describe(f);
     const auto fault = nlohmann::json::parse(verdictJson(f, "case"))["fault"];
     const scalar deviation = fault["deviations"][0];
     EXPECT_GT(deviation, 1);
@@ -256,7 +258,7 @@ TEST(misfitDiagnosis, aChannelInALargerOrSmallerUnitIsFound)
         show(f);
         EXPECT_EQ(f.verdict, verdictKind::registration) << factor;
         EXPECT_EQ(f.names, wordList({"P1"}));
-        EXPECT_NE(told(f).find("unit"), std::string::npos) << told(f);
+        EXPECT_NE(describe(f).find("unit"), std::string::npos) << describe(f);
     }
 }
 
@@ -321,7 +323,7 @@ TEST(misfitDiagnosis, theStateThatIsNamedWasRunInTheSolver)
             if (f.verdict == verdictKind::named && f.answer.size())
             {
                 ++named;
-                EXPECT_LT(s.nearest(f.answer[0]), 0.05) << told(f);
+                EXPECT_LT(s.nearest(f.answer[0]), 0.05) << describe(f);
             }
         }
     }

@@ -28,7 +28,7 @@ TEST(misfitFailedRuns, whatWasNotRunAsItWasFittedIsNotNamed)
     EXPECT_EQ(f.verdict, verdictKind::unknown);
     EXPECT_TRUE(f.answer.empty());
     EXPECT_FALSE(passes(f, "computed"));
-    EXPECT_NE(told(f).find("solver failed"), std::string::npos) << told(f);
+    EXPECT_NE(describe(f).find("solver failed"), std::string::npos) << describe(f);
 }
 
 
@@ -102,8 +102,8 @@ TEST(misfitFailedRuns, aFailedResolutionStopsItAndAFailedReplicateIsTold)
     other.failReplicate(2);
     const finding f(diagnose(other, set));
     ASSERT_EQ(f.failedRuns.size(), 2);
-    EXPECT_NE(told(f.failedRuns[0]).find("replicate 2"), std::string::npos);
-    EXPECT_NE(told(f.failedRuns[1]).find("experiment B"), std::string::npos);
+    EXPECT_NE(describe(f.failedRuns[0]).find("replicate 2"), std::string::npos);
+    EXPECT_NE(describe(f.failedRuns[1]).find("experiment B"), std::string::npos);
 }
 
 
@@ -125,5 +125,5 @@ TEST(misfitFailedRuns, aCandidateThatCrashesTheSolverDropsOut)
     EXPECT_EQ(f.verdict, verdictKind::named);
     ASSERT_EQ(f.dropped.size(), 1);
     EXPECT_EQ(f.dropped[0].name, "gate");
-    EXPECT_NE(told(f.dropped[0]).find("floating point"), std::string::npos);
+    EXPECT_NE(describe(f.dropped[0]).find("floating point"), std::string::npos);
 }

@@ -57,7 +57,7 @@ TEST(misfitFaults, withoutSizeTheyChangeNothing)
     for (const sensorFault& fault : all)
     {
         EXPECT_NEAR((fault(w.data, f, vec::Zero(fault.size())) - f).norm(), 0, 1e-9)
-            << told(fault);
+            << describe(fault);
     }
 }
 
@@ -119,8 +119,12 @@ TEST(misfitFaults, theClockOfARecorderMovesAllItsChannels)
         possibleFaults(w.data, {faultKind::clock})
     );
     ASSERT_EQ(all.size(), n + 1);
-    EXPECT_EQ(told(all[0]), "clock of camera");
-    EXPECT_EQ(told(all[0], w.data.segments[0], number(0.3)), "camera's clock is 0.3 s late");
+    EXPECT_EQ(describe(all[0]), "clock of camera");
+    EXPECT_EQ
+    (
+        describe(all[0], w.data.segments[0], number(0.3)),
+        "camera's clock is 0.3 s late"
+    );
 
     const vec moved = f - all[0](w.data, f, number(0.3));
     for (label i = 0; i < n; ++i)
@@ -160,6 +164,6 @@ TEST(misfitFaults, aNumberAloneHasNoTimeAndNoShape)
         )
     );
     ASSERT_EQ(all.size(), 2);
-    EXPECT_EQ(told(all[0]), "gain of n0");
-    EXPECT_EQ(told(all[1]), "gain of n1");
+    EXPECT_EQ(describe(all[0]), "gain of n0");
+    EXPECT_EQ(describe(all[1]), "gain of n1");
 }

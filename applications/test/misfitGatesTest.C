@@ -88,11 +88,12 @@ TEST(misfitGates, withoutHeldOutDataItIsSaidThatNothingConfirmsIt)
     const finding f(diagnose(s));
     show(f);
     EXPECT_EQ(f.verdict, verdictKind::named);
-    EXPECT_NE(told(f).find("No held-out data"), std::string::npos) << told(f);
+    EXPECT_NE(describe(f).find("No held-out data"), std::string::npos)
+        << describe(f);
 
     worldSampler with(truth(0, 0.7), 200, vec());
     const finding confirmed(diagnose(with));
-    EXPECT_EQ(told(confirmed).find("No held-out data"), std::string::npos);
+    EXPECT_EQ(describe(confirmed).find("No held-out data"), std::string::npos);
 }
 
 
@@ -106,8 +107,8 @@ TEST(misfitGates, whatIsNotMatchedYetIsSaid)
     for (const heldOut& h : f.held)
     {
         const bool said =
-            told(f).find("not yet match " + told(h)) != std::string::npos;
-        EXPECT_EQ(said, h.squareAfter > matchLimit(h)) << told(f);
+            describe(f).find("not yet match " + describe(h)) != std::string::npos;
+        EXPECT_EQ(said, h.squareAfter > matchLimit(h)) << describe(f);
     }
     EXPECT_GT(f.held[0].squareAfter, matchLimit(f.held[0]));
 }
@@ -136,7 +137,7 @@ TEST(misfitGates, fewHeldOutSamplesThatChanceLeavesNeitherRefuteNorConfirm)
     EXPECT_EQ(f.verdict, verdictKind::named);
     EXPECT_EQ(gateOf(f, "heldOut").kind, gateKind::heldOut);
     EXPECT_FALSE(gateOf(f, "heldOut").applies);
-    EXPECT_EQ(told(f).find("not yet match"), std::string::npos) << told(f);
+    EXPECT_EQ(describe(f).find("not yet match"), std::string::npos) << describe(f);
 
     // More than chance leaves
     worldSampler far(truth(0, 0.7), 200, vec());
@@ -166,10 +167,10 @@ TEST(misfitGates, whatHeldOutChannelsDoNotShowIsNotNamedAndChanceDegradesNothing
             );
             EXPECT_EQ
             (
-                told(f).find("match of held-out channels worse")
+                describe(f).find("match of held-out channels worse")
              != std::string::npos,
                 f.verdict == verdictKind::unknown && !passes(f, "degradesHeldOut")
-            ) << told(f);
+            ) << describe(f);
         }
         testNumber(share == 1 ? "refused, right" : "refused, wrong", refused);
         EXPECT_TRUE(share == 1 ? refused <= 0.05*n : refused >= 0.5*n) << refused;
@@ -203,8 +204,8 @@ TEST(misfitGates, anExperimentThatFailsIsNoDisagreement)
     const finding f(diagnose(s));
     show(f);
     EXPECT_EQ(f.verdict, verdictKind::unknown);
-    EXPECT_NE(told(f).find("solver fails in experiment B"), std::string::npos)
-        << told(f);
+    EXPECT_NE(describe(f).find("solver fails in experiment B"), std::string::npos)
+        << describe(f);
     EXPECT_TRUE(f.failedRuns.size());
     EXPECT_LT(f.confidence, 0.7);
     EXPECT_EQ(failed(f), wordList({"computed"}));
@@ -220,9 +221,9 @@ TEST(misfitGates, anExperimentThatFailsHidesNoOtherThatRefutes)
     show(f);
     EXPECT_EQ(f.verdict, verdictKind::unknown);
     EXPECT_FALSE(passes(f, "heldOut"));
-    EXPECT_NE(told(f).find("heldOut"), std::string::npos) << told(f);
-    EXPECT_NE(told(f).find("solver fails in experiment B"), std::string::npos)
-        << told(f);
+    EXPECT_NE(describe(f).find("heldOut"), std::string::npos) << describe(f);
+    EXPECT_NE(describe(f).find("solver fails in experiment B"), std::string::npos)
+        << describe(f);
 }
 
 
@@ -237,9 +238,10 @@ TEST(misfitGates, whatAFinerMeshChangesInAnExperimentMustBeKnownThere)
     show(f);
     EXPECT_EQ(f.verdict, verdictKind::unknown);
     EXPECT_EQ(failed(f), wordList({"computed"}));
-    EXPECT_NE(told(f).find("solver fails in experiment B"), std::string::npos)
-        << told(f);
-    EXPECT_EQ(told(f).find("not in the library"), std::string::npos) << told(f);
+    EXPECT_NE(describe(f).find("solver fails in experiment B"), std::string::npos)
+        << describe(f);
+    EXPECT_EQ(describe(f).find("not in the library"), std::string::npos)
+        << describe(f);
 }
 
 
@@ -253,7 +255,8 @@ TEST(misfitGates, whereOnlyHeldOutDataPartItIsNotSaidThatNothingIsMissing)
     EXPECT_EQ(f.verdict, verdictKind::unknown);
     EXPECT_FALSE(passes(f, "heldOut"));
     EXPECT_TRUE(passes(f, "transfer"));
-    EXPECT_NE(told(f).find("held-out ones do not"), std::string::npos) << told(f);
+    EXPECT_NE(describe(f).find("held-out ones do not"), std::string::npos)
+        << describe(f);
     EXPECT_TRUE(f.strengths.empty());
 
     worldSampler agrees(truth(-1, 0), 100, vec());
@@ -297,9 +300,9 @@ TEST(misfitGates, whatGainsTooLittleIsNotSaid)
     EXPECT_EQ(f.verdict, verdictKind::none);
     EXPECT_NE
     (
-        told(f).find("too little to say why: the best explanation, porePressure"),
+        describe(f).find("too little to say why: the best explanation, porePressure"),
         std::string::npos
-    ) << told(f);
+    ) << describe(f);
 }
 
 
@@ -369,7 +372,7 @@ TEST(misfitGates, theLeadIsThatOfTheBestThatSaysTheSame)
     ASSERT_EQ(f.names, wordList({world::mechanism(0)}));
     scalar same = GREAT;
     scalar other = GREAT;
-    for (const weighed& w : f.explained.all())
+    for (const scored& w : f.explained.all())
     {
         scalar& lowest = statistics::contains(w.what.mechanisms, 0) ? same : other;
         lowest = min(lowest, w.score);
@@ -433,14 +436,15 @@ TEST(misfitGates, whereTooMuchIsLeftThereIsMoreToItAndTheNameIsLessSure)
     worldSampler mild(truth(0, 0.7), 200, added);
     const finding enough(diagnose(mild, set));
     EXPECT_TRUE(passes(enough, "adequacy"));
-    EXPECT_EQ(told(enough).find("There is more to it"), std::string::npos);
+    EXPECT_EQ(describe(enough).find("There is more to it"), std::string::npos);
 
     set.adequacy = 0.1;
     worldSampler strict(truth(0, 0.7), 200, added);
     const finding f(diagnose(strict, set));
     show(f);
     EXPECT_EQ(f.names, enough.names);
-    EXPECT_NE(told(f).find("There is more to it"), std::string::npos) << told(f);
+    EXPECT_NE(describe(f).find("There is more to it"), std::string::npos)
+        << describe(f);
     EXPECT_GT(enough.confidence, 0.9);
     EXPECT_LT(f.confidence, 0.9);
 }

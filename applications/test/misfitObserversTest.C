@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What misfitFoam reads off a run, and what a case cannot give told before the first.
+// What misfitFoam reads off a run, and what a case cannot give, which is reported
+// before the first.
 
 #include "fakeCase.H"
 #include "placesInMesh.H"
@@ -134,11 +135,11 @@ TEST(misfitObservers, aProfileIsTheShareOfWaterInEachColumnOfCellsTimesTheHeight
     EXPECT_NEAR(s.x[1], 0.3, 1e-12);
     EXPECT_NEAR(s.y[1], 0.4*0.5, 1e-12);
 
-    const std::string told
+    const std::string message
     (
         refusal([&](){ observer::New(profile("0")); })
     );
-    EXPECT_NE(told.find("height"), std::string::npos) << told;
+    EXPECT_NE(message.find("height"), std::string::npos) << message;
 }
 
 
@@ -152,9 +153,10 @@ TEST(misfitObservers, whatAnyRunCannotHaveIsToldBeforeTheFirst)
     const fileName runs(c.folder()/"misfit"/"runs");
 
     // In the file that a person mends, not in a copy
-    const std::string told(said("a/lift/model", "a/lift/modle"));
-    EXPECT_NE(told.find(c.folder()/"constant/model"), std::string::npos) << told;
-    EXPECT_NE(told.find("no entry a/lift/modle"), std::string::npos) << told;
+    const std::string describe(said("a/lift/model", "a/lift/modle"));
+    EXPECT_NE(message.find(c.folder()/"constant/model"), std::string::npos)
+        << message;
+    EXPECT_NE(message.find("no entry a/lift/modle"), std::string::npos) << message;
     EXPECT_TRUE(readDir(runs, fileName::DIRECTORY).empty());
 
     EXPECT_NE
@@ -179,13 +181,13 @@ TEST(misfitObservers, aCaseThatEndsBeforeItsRecordingIsToldOfBeforeTheFirst)
     const fakeCase c;
     c.write("system/controlDict", "#include \"more\"\nendTime 1.5;\n");
     fakePredictor p(c);
-    const std::string told
+    const std::string message
     (
         saidDuring([&]() { p.predict.predict({withSlope(2), withSlope(3)}); })
     );
-    const auto first = told.find("experiment A is 1.5 s");
-    EXPECT_NE(first, std::string::npos) << told;
-    EXPECT_EQ(told.find("is 1.5 s", first + 20), std::string::npos) << told;
+    const auto first = message.find("experiment A is 1.5 s");
+    EXPECT_NE(first, std::string::npos) << message;
+    EXPECT_EQ(message.find("is 1.5 s", first + 20), std::string::npos) << message;
 
     // A command may have set another end
     EXPECT_EQ(c.count(), 2);
@@ -204,7 +206,7 @@ TEST(misfitObservers, otherWaterInAnotherMeshIsToldOfOnce)
         "echo \"Phase-1 volume fraction = 0.2  Min(alpha.water) = 0\"\n"
     );
     c.write("constant/water", "water 0.3;\n");
-    const auto told = [&](const std::string& inMesh)
+    const auto message = [&](const std::string& inMesh)
     {
         fakePredictor p
         (
@@ -219,8 +221,8 @@ TEST(misfitObservers, otherWaterInAnotherMeshIsToldOfOnce)
             [&]() { p.predict.predict({withSlope(2), finer, finer}); }
         );
     };
-    EXPECT_EQ(told("0.301").find("more water"), std::string::npos);
-    const std::string more(told("0.306"));
+    EXPECT_EQ(describe("0.301").find("more water"), std::string::npos);
+    const std::string more(describe("0.306"));
     const auto first = more.find("2 % more water");
     EXPECT_NE(first, std::string::npos) << more;
     EXPECT_EQ(more.find("more water", first + 20), std::string::npos) << more;

@@ -118,7 +118,7 @@ TEST(misfitScan, shapesMakeNoMoreFalseAlarms)
     {
         x = normal(generator);
     }
-    const statistics::scan look(data, white, 500, 1, shapes);
+    const statistics::scan scanning(data, white, 500, 1, shapes);
     label alarms = 0;
     for (label n = 0; n < 400; ++n)
     {
@@ -127,7 +127,7 @@ TEST(misfitScan, shapesMakeNoMoreFalseAlarms)
         {
             x = normal(generator);
         }
-        alarms += look(misfit, 0.05).p < 0.05;
+        alarms += scanning(misfit, 0.05).p < 0.05;
     }
     EXPECT_LT(alarms, 35);
 }

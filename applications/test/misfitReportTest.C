@@ -60,7 +60,7 @@ finding found()
         heldOut::part::validation, "A", purpose::validation, w.data, base, w.data.y,
         f.sigma, 9, 1, 1.5
     });
-    weighed best;
+    scored best;
     best.what.mechanisms = {0};
     best.score = 0;
     f.explained = explanations({best});
@@ -76,9 +76,9 @@ hypothesis& judged(finding& f)
 }
 
 
-weighed mechanisms(const std::vector<int>& on)
+scored mechanisms(const std::vector<int>& on)
 {
-    weighed w;
+    scored w;
     w.what.mechanisms = on;
     return w;
 }
@@ -136,7 +136,7 @@ TEST(misfitReport, theRecordIsReadableByPrograms)
     const auto j = nlohmann::json::parse(verdictJson(found(), "case"));
     EXPECT_EQ(j["verdict"], "named");
     EXPECT_EQ(j["names"][0], "porePressure");
-    EXPECT_EQ(j["words"], told(found()));
+    EXPECT_EQ(j["words"], describe(found()));
     EXPECT_EQ(j["located"][0]["channel"], "P1");
     EXPECT_EQ(j["gates"][0]["name"], "detection");
     EXPECT_EQ(j["gates"][0]["value"], "0.001");
@@ -179,7 +179,7 @@ TEST(misfitReport, theRecordIsOfItsSchemaAndReadsBackAsItWasFound)
     EXPECT_EQ(j["strengths"][0]["name"], f.strengths[0].name);
     EXPECT_EQ(j["strengths"][0]["value"], f.strengths[0].value);
     EXPECT_EQ(j["detection"]["p"], f.detection.p);
-    EXPECT_EQ(j["heldOut"][0]["what"], told(f.held[0]));
+    EXPECT_EQ(j["heldOut"][0]["what"], describe(f.held[0]));
     EXPECT_EQ(j["heldOut"][0]["use"], purposeNames[f.held[0].use]);
     EXPECT_EQ(j["heldOut"][0]["meanSquareBefore"], f.held[0].squareBefore);
 }
@@ -270,7 +270,7 @@ TEST(misfitReport, theConfidenceSaysOfWhat)
         (
             box(f),
             "Confidence 90 % that this is at least part of what is missing, among"
-            " the explanations that were weighed."
+            " the explanations that were scored."
         )
     );
     f.verdict = verdictKind::set;
@@ -295,10 +295,10 @@ TEST(misfitReport, theConfidenceSaysOfWhat)
 }
 
 
-TEST(misfitReport, theTopSaysWhatWasNotWeighed)
+TEST(misfitReport, theTopSaysWhatWasNotScored)
 {
     finding f(found());
-    EXPECT_FALSE(says(box(f), "Not weighed"));
+    EXPECT_FALSE(says(box(f), "Not scored"));
 
     f.dropped =
     {
@@ -313,7 +313,7 @@ TEST(misfitReport, theTopSaysWhatWasNotWeighed)
         says
         (
             box(f),
-            "Not weighed: lift (the solver failed with it), gate (the recording"
+            "Not scored: lift (the solver failed with it), gate (the recording"
             " differs the other way in what it changes)."
         )
     );
@@ -351,7 +351,7 @@ TEST(misfitReport, noNumberIsTooLargeToRead)
     finding f(found());
     f.held[0].squareBefore = 2;
     f.held[0].squareAfter = 1e17;
-    weighed far(f.best());
+    scored far(f.best());
     far.what.mechanisms.clear();
     far.score = 1.3e297;
     f.explained.all().push_back(far);
@@ -368,7 +368,7 @@ TEST(misfitReport, noNumberIsTooLargeToRead)
     const place p{{0, 5, 9, 12}, 700};
     EXPECT_TRUE
     (
-        says(told(p, data), "the simulation is more than 1000 % of the range")
+        says(describe(p, data), "the simulation is more than 1000 % of the range")
     );
 }
 

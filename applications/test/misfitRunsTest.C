@@ -58,11 +58,11 @@ TEST(misfitRuns, aCaseThatIsCutIntoOtherPartsThanRanksIsRefused)
 {
     const fakeCase c;
     c.write("system/decomposeParDict", "numberOfSubdomains 4; method scotch;\n");
-    const std::string told
+    const std::string message
     (
         refusal([&]() { const fakePredictor p(c, "ranks 2; "); })
     );
-    EXPECT_NE(told.find("into 4 parts, and ranks"), std::string::npos) << told;
+    EXPECT_NE(message.find("into 4 parts, and ranks"), std::string::npos) << message;
     c.write
     (
         "system/decomposeParDict",
@@ -118,7 +118,7 @@ TEST(misfitRuns, runsOfOtherProgramsAreNotUsedWithoutAWord)
     mkDir(c.folder()/"lib");
     c.write("lib/libmine.so", "one");
     setEnv("FOAM_USER_LIBBIN", c.folder()/"lib", true);
-    const auto told = [&](const scalar slope = 2)
+    const auto message = [&](const scalar slope = 2)
     {
         return saidDuring
         (
@@ -126,11 +126,11 @@ TEST(misfitRuns, runsOfOtherProgramsAreNotUsedWithoutAWord)
         );
     };
     const char* changed = "libraries changed";
-    EXPECT_EQ(told().find(changed), std::string::npos);
-    EXPECT_EQ(told().find(changed), std::string::npos);
+    EXPECT_EQ(describe().find(changed), std::string::npos);
+    EXPECT_EQ(describe().find(changed), std::string::npos);
     c.write("lib/libmine.so", "two");
-    EXPECT_EQ(told(3).find(changed), std::string::npos);
-    EXPECT_NE(told().find(changed), std::string::npos);
+    EXPECT_EQ(describe(3).find(changed), std::string::npos);
+    EXPECT_NE(describe().find(changed), std::string::npos);
     setEnv("FOAM_USER_LIBBIN", before, true);
 }
 
@@ -199,11 +199,11 @@ TEST(misfitRuns, aRunWhoseEndCouldNotBeWrittenIsNoResult)
     // As on a full disk
     const fakeCase c;
     c.write("full", "");
-    const std::string told
+    const std::string message
     (
         refusal([&]() { once(c, {withSlope(2), withSlope(6)}); })
     );
-    EXPECT_NE(told.find("misfit/runs"), std::string::npos) << told;
+    EXPECT_NE(message.find("misfit/runs"), std::string::npos) << message;
     EXPECT_EQ(c.count(), 2);
 
     rm(c.folder()/"full");
@@ -238,10 +238,10 @@ TEST(misfitRuns, aCaseThatIsEditedMeanwhileIsNotRun)
         f({withSlope(2)});
         c.write("constant/script", before + "run 1\n");
 
-        const std::string told(refusal([&]() { f({withSlope(3)}); }));
-        EXPECT_NE(told.find("was changed"), std::string::npos) << told;
-        EXPECT_NE(told.find("constant/script"), std::string::npos) << told;
-        EXPECT_EQ(told.find("constant/model"), std::string::npos) << told;
+        const std::string describe(refusal([&]() { f({withSlope(3)}); }));
+        EXPECT_NE(message.find("was changed"), std::string::npos) << message;
+        EXPECT_NE(message.find("constant/script"), std::string::npos) << message;
+        EXPECT_EQ(message.find("constant/model"), std::string::npos) << message;
         const auto makeCorrected = [&]()
         {
             f.predict.makeCase(withSlope(3), c.folder()/"misfit/corrected");

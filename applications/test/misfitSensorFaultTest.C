@@ -38,7 +38,7 @@ void expectP1(const finding& f, const verdictKind verdict, const std::string& wo
 {
     EXPECT_EQ(f.verdict, verdict);
     EXPECT_EQ(f.names, wordList({"P1"}));
-    EXPECT_NE(told(f).find(words), std::string::npos) << told(f);
+    EXPECT_NE(describe(f).find(words), std::string::npos) << describe(f);
 }
 
 
@@ -145,7 +145,7 @@ TEST(misfitSensorFault, exchangedGaugesAreBothNamedAlsoBesideSomethingUnknown)
         worldSampler s(truth(-1, 0), 300, exchanged(wave));
         const finding f(diagnose(s));
         expectAnswer(f, "registration", {"P1", "P2"});
-        EXPECT_NE(told(f).find("P1 and P2 are exchanged"), std::string::npos);
+        EXPECT_NE(describe(f).find("P1 and P2 are exchanged"), std::string::npos);
         EXPECT_EQ(f.gates.applied(gateKind::alone), f.hasMore());
     }
 }
@@ -156,8 +156,8 @@ TEST(misfitSensorFault, besideSomethingUnknownAnExchangeMustGainByItself)
     worldSampler s(truth(-1, 0), 300, exchanged(60));
     const finding found(diagnose(s));
     ASSERT_TRUE(found.hasMore());
-    const weighed* known = nullptr;
-    for (const weighed& w : found.explained.all())
+    const scored* known = nullptr;
+    for (const scored& w : found.explained.all())
     {
         known = w.what == found.best().what.known() ? &w : known;
     }
@@ -252,11 +252,11 @@ TEST(misfitSensorFault, whatItShowedIsToldInThreeDigits)
     );
     EXPECT_EQ
     (
-        told(dead, at, vec::Constant(1, 2004.)),
+        describe(dead, at, vec::Constant(1, 2004.)),
         "P1 shows 2000 Pa throughout, whatever happens: it is dead or stuck"
     );
-    EXPECT_NE(told(dead, at, vec::Constant(1, -0.008)).find(" 0 Pa"), string::npos);
-    EXPECT_NE(told(dead, at, vec::Constant(1, 12345.)).find(" 12300 Pa"), string::npos);
+    EXPECT_NE(describe(dead, at, vec::Constant(1, -0.008)).find(" 0 Pa"), string::npos);
+    EXPECT_NE(describe(dead, at, vec::Constant(1, 12345.)).find(" 12300 Pa"), string::npos);
 }
 
 
@@ -270,8 +270,8 @@ TEST(misfitSensorFault, itCanBeToldWhenWhatWasRecordedIsGone)
     {
         s.name = "gone";
     }
-    EXPECT_EQ(told(faults.front()), "gain of P1");
-    EXPECT_EQ(told(faults.back()), "misplaced of P1 towards P2");
+    EXPECT_EQ(describe(faults.front()), "gain of P1");
+    EXPECT_EQ(describe(faults.back()), "misplaced of P1 towards P2");
 }
 
 
@@ -284,5 +284,5 @@ TEST(misfitSensorFault, aFindingIsWholeWithoutItsDiagnosis)
         kept = diagnose(s);
     }
     ASSERT_TRUE(kept.best().what.fault.has_value());
-    EXPECT_EQ(told(*kept.best().what.fault), "dead of P1");
+    EXPECT_EQ(describe(*kept.best().what.fault), "dead of P1");
 }

@@ -72,8 +72,9 @@ TEST(misfitStability, whatWinsWithoutAChannelIsInTheSet)
 {
     const finding f(ofTwoGauges(0, 1, false));
     expectAnswer(f, "set", {"slowFront", "longTail"});
-    EXPECT_NE(told(f).find("one of these: "), std::string::npos) << told(f);
-    EXPECT_NE(told(f).find(" a better match is "), std::string::npos) << told(f);
+    EXPECT_NE(describe(f).find("one of these: "), std::string::npos) << describe(f);
+    EXPECT_NE(describe(f).find(" a better match is "), std::string::npos)
+        << describe(f);
     EXPECT_NE(adviceOf(f).find("hangs on"), std::string::npos) << adviceOf(f);
 }
 
@@ -89,8 +90,8 @@ TEST(misfitStability, aSetThatHangsOnAChannelIsAsSureAsSuchSetsWere)
     for (const auto& p : f.posterior)
     {
         const bool has =
-            told(p.first, f.library).find("porePressure") != std::string::npos
-         || told(p.first, f.library).find("walls") != std::string::npos;
+            describe(p.first, f.library).find("porePressure") != std::string::npos
+         || describe(p.first, f.library).find("walls") != std::string::npos;
         sum += has ? p.second : 0;
     }
     EXPECT_GT(sum, 0.77);
@@ -104,8 +105,9 @@ TEST(misfitStability, aSetThatHangsOnAChannelSaysWhereBothAtOnceAreAsGood)
     const finding one(ofTwoGauges(4, 0, false));
     ASSERT_EQ(both.verdict, verdictKind::set);
     ASSERT_EQ(one.verdict, verdictKind::set);
-    EXPECT_NE(told(both).find(", or both. "), std::string::npos) << told(both);
-    EXPECT_EQ(told(one).find(", or both"), std::string::npos) << told(one);
+    EXPECT_NE(describe(both).find(", or both. "), std::string::npos)
+        << describe(both);
+    EXPECT_EQ(describe(one).find(", or both"), std::string::npos) << describe(one);
 }
 
 
@@ -113,9 +115,10 @@ TEST(misfitStability, aSetThatHangsOnAChannelBesidesStillSaysWhatToMeasure)
 {
     const finding f(ofTwoGauges(4, 0, true));
     ASSERT_EQ(f.verdict, verdictKind::set);
-    EXPECT_NE(told(f).find("cannot tell apart: "), std::string::npos) << told(f);
-    EXPECT_NE(told(f).find(" Without P2 a better match is walls."), std::string::npos)
-        << told(f);
+    EXPECT_NE(describe(f).find("cannot tell apart: "), std::string::npos)
+        << describe(f);
+    EXPECT_NE(describe(f).find(" Without P2 a better match is walls."), std::string::npos)
+        << describe(f);
     EXPECT_FALSE(adviceOf(f).empty());
     EXPECT_EQ(adviceOf(f).find("hangs on"), std::string::npos) << adviceOf(f);
 }

@@ -469,13 +469,13 @@ TEST(misfitScan, falseAlarmsAreAsFewAsSaid)
     const world w;
     const covariance c(w.data, 0);
     const whitener white(c.at(w.data.y));
-    const statistics::scan look(w.data, white, 1000, 1);
+    const statistics::scan scanning(w.data, white, 1000, 1);
     std::mt19937 generator(11);
     label alarms = 0;
     const label n = 400;
     for (label k = 0; k < n; ++k)
     {
-        alarms += look(w.noise(generator), 0.05).p < 0.05;
+        alarms += scanning(w.noise(generator), 0.05).p < 0.05;
     }
     testNumber("false alarms of the scan [%]", 100.*alarms/n);
 
@@ -489,11 +489,11 @@ TEST(misfitScan, aDifferenceIsFoundWhereItIs)
 {
     const world w;
     const whitener white(covariance(w.data, 0).at(w.data.y));
-    const statistics::scan look(w.data, white, 500, 1);
+    const statistics::scan scanning(w.data, white, 500, 1);
     std::mt19937 generator(4);
     vec misfit = w.noise(generator);
     misfit.segment(40 + 10, 8).array() -= 40;
-    const scanned found(look(misfit, 0.05));
+    const scanned found(scanning(misfit, 0.05));
     EXPECT_LT(found.p, 0.01);
     ASSERT_EQ(found.windows.size(), 1);
     EXPECT_EQ(found.windows[0].segment, 1);
@@ -511,11 +511,11 @@ TEST(misfitScan, whatCalibrationCanExplainIsNoFinding)
     const vec direction = s.slopes(w.bounds.mean).col(0);
     const mat all = statistics::withFitted(c, direction, vec::Zero(1));
     const whitener white(all);
-    const statistics::scan look(w.data, white, 500, 1);
+    const statistics::scan scanning(w.data, white, 500, 1);
     std::mt19937 generator(4);
     const vec e = w.noise(generator);
-    EXPECT_GT(look(e, 0.05).p, 0.05);
-    EXPECT_GT(look(e + 0.3*direction, 0.05).p, 0.05);
+    EXPECT_GT(scanning(e, 0.05).p, 0.05);
+    EXPECT_GT(scanning(e + 0.3*direction, 0.05).p, 0.05);
 }
 
 

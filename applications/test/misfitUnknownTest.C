@@ -55,10 +55,10 @@ settings poorSettings()
 finding diagnosed(correctedWorld& w, const settings& set = poorSettings())
 {
     const finding f(diagnose(w, set));
-    std::printf("%s: %s\n", verdictNames[f.verdict].c_str(), told(f).c_str());
+    std::printf("%s: %s\n", verdictNames[f.verdict].c_str(), describe(f).c_str());
     for (const fittedLaw& l : f.correction.laws)
     {
-        std::printf("  %6.1f %s\n", l.lead, told(l).c_str());
+        std::printf("  %6.1f %s\n", l.lead, describe(l).c_str());
     }
     return f;
 }
@@ -132,9 +132,9 @@ TEST(misfitUnknown, aPushThatNoCandidateIsIsFoundInItsPlace)
         const freeElement& first = f.correction.elements.first();
         EXPECT_EQ(first.element.name, "push2_2");
         EXPECT_NEAR(first.value, -45, 10);
-        const string words(told(first.element, first.value));
+        const string words(describe(first.element, first.value));
         EXPECT_NE(words.find("against (1 0 0) at 1.5 m"), std::string::npos);
-        EXPECT_NE(told(f).find(words), std::string::npos);
+        EXPECT_NE(describe(f).find(words), std::string::npos);
 
         // On the gauge that was not used; in B there is no such push
         ASSERT_EQ(f.correction.held.size(), 2);
@@ -163,9 +163,9 @@ TEST(misfitUnknown, whereTheSolverFailsWithTheFittedPushThatOfTheSurfaceIsTold)
     EXPECT_GT(removed(f.correction.held[0]), 0.7);
     EXPECT_NE
     (
-        told(f).find("The solver fails with it: these numbers are of the"),
+        describe(f).find("The solver fails with it: these numbers are of the"),
         std::string::npos
-    ) << told(f);
+    ) << describe(f);
 }
 
 
@@ -183,9 +183,9 @@ TEST(misfitUnknown, anotherDragLawIsRegressedOnTheReynoldsNumber)
         ASSERT_FALSE(f.correction.laws.empty());
         EXPECT_NE
         (
-            told(f.correction.laws.first()).find("(Re_p/30)^(0."),
+            describe(f.correction.laws.first()).find("(Re_p/30)^(0."),
             std::string::npos
-        ) << told(f.correction.laws.first());
+        ) << describe(f.correction.laws.first());
         for (const heldOut& h : f.correction.held)
         {
             testNumber("held-out misfit gone, drag law", removed(h));
@@ -203,12 +203,12 @@ TEST(misfitUnknown, aLawWithWhichTheSolverFailsIsToldAndNoOtherIsNamed)
     const finding f(diagnosed(w));
     EXPECT_EQ(f.verdict, verdictKind::unknown);
     EXPECT_FALSE(f.correction.explained);
-    EXPECT_NE(told(f).find("fails with one that may say as much"), std::string::npos)
-        << told(f);
+    EXPECT_NE(describe(f).find("fails with one that may say as much"), std::string::npos)
+        << describe(f);
     scalar lead = -GREAT;
     for (const fittedLaw& l : f.correction.laws)
     {
-        EXPECT_GT(l.lead, -1e6) << told(l);
+        EXPECT_GT(l.lead, -1e6) << describe(l);
         lead = max(lead, l.lead);
     }
     EXPECT_GT(lead, 0);
@@ -222,14 +222,14 @@ TEST(misfitUnknown, aPartOfALawWithWhichTheSolverFailsIsNotNamed)
     w.failWhereDragVaries();
     const finding f(diagnosed(w));
     EXPECT_EQ(f.verdict, verdictKind::unknown);
-    EXPECT_NE(told(f).find("(Re_p/30)^(0."), std::string::npos) << told(f);
-    EXPECT_NE(told(f).find("fails with one that may say as much"), std::string::npos)
-        << told(f);
+    EXPECT_NE(describe(f).find("(Re_p/30)^(0."), std::string::npos) << describe(f);
+    EXPECT_NE(describe(f).find("fails with one that may say as much"), std::string::npos)
+        << describe(f);
 
     // The part runs, and would be enough
     ASSERT_FALSE(f.correction.laws.empty());
     const fittedLaw& part = f.correction.laws.first();
-    EXPECT_EQ(told(part).find("Re_p"), std::string::npos) << told(part);
+    EXPECT_EQ(describe(part).find("Re_p"), std::string::npos) << describe(part);
     EXPECT_GT(part.lead, poorSettings().gap);
 }
 
@@ -242,7 +242,7 @@ TEST(misfitUnknown, theSameLawInOneExperimentOnlyIsNotNamed)
 
     EXPECT_EQ(f.verdict, verdictKind::unknown);
     EXPECT_FALSE(f.correction.transfers);
-    EXPECT_NE(told(f).find("no other experiment confirms"), std::string::npos);
+    EXPECT_NE(describe(f).find("no other experiment confirms"), std::string::npos);
 }
 
 
@@ -261,11 +261,11 @@ TEST(misfitUnknown, noiseAloneLeavesTheCorrectionZero)
         (
             fitCorrection
             (
-                asked, m, m.calibration->weigh(set.modelDiscrepancy).base(), {}, runs
+                asked, m, m.calibration->score(set.modelDiscrepancy).base(), {}, runs
             )
         );
-        EXPECT_TRUE(c.elements.empty()) << told(c);
-        EXPECT_FALSE(c.explained) << told(c);
+        EXPECT_TRUE(c.elements.empty()) << describe(c);
+        EXPECT_FALSE(c.explained) << describe(c);
         EXPECT_FALSE(c.after.size());
     }
 }

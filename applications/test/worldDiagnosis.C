@@ -51,10 +51,10 @@ Foam::misfit::diagnose(worldSampler& s, const settings& set)
 
 void Foam::misfit::show(const finding& f)
 {
-    std::printf("%s: %s\n", verdictNames[f.verdict].c_str(), told(f).c_str());
+    std::printf("%s: %s\n", verdictNames[f.verdict].c_str(), describe(f).c_str());
     for (const gate& g : f.gates)
     {
-        const gateWords words(told(g, f));
+        const gateWords words(describe(g, f));
         std::printf
         (
             "  %-15s %-7s %s (%s)\n", gateNames[g.kind].c_str(),

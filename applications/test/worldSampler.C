@@ -88,7 +88,7 @@ bool Foam::misfit::worldSampler::fails(const runState& state)
 {
     if (state.experiment == "A" && isBetween(state))
     {
-        between_.insert(told(state));
+        between_.insert(describe(state));
         if (between_.size() > betweenAllowed_)
         {
             return true;
@@ -395,7 +395,7 @@ Foam::misfit::worldSampler::operator()(const List<runState>& states)
     List<samples> all(states.size());
     forAll(states, i)
     {
-        asked_.insert(told(states[i]));
+        asked_.insert(describe(states[i]));
         all[i] = run(states[i]);
         ran_.append(states[i]);
     }

@@ -328,7 +328,7 @@ const std::vector<statistics::faultRow>& statistics::faultTable()
             }
         },
         // (1 + u) times the true value; a series with less than a twentieth of
-        // its gain is told as dead
+        // its gain is reported as dead
         {
             "gain",
             [](D, S s)

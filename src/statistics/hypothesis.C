@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Possible explanations of a misfit, fitted and weighed in one way: the samples
+// Possible explanations of a misfit, fitted and scored in one way: the samples
 // under a hypothesis.
 
 #include "hypothesis.H"
@@ -215,12 +215,12 @@ std::vector<statistics::vec> statistics::hypothesisModel::starts() const
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void statistics::sortByScore(std::vector<weighed>& list)
+void statistics::sortByScore(std::vector<scored>& list)
 {
     std::stable_sort
     (
         list.begin(),
         list.end(),
-        [](const weighed& a, const weighed& b) { return a.score < b.score; }
+        [](const scored& a, const scored& b) { return a.score < b.score; }
     );
 }

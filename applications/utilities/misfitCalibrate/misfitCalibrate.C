@@ -236,7 +236,7 @@ public:
 
 
     //- How far the runs check the surface
-    void tellFreedom() const
+    void printFreedom() const
     {
         const auto& leverage = surface->leverage().array();
         const label bound = (leverage >= responseSurface::fixesTerm).count();
@@ -255,7 +255,7 @@ public:
 
 
     //- Conditions in words, as "D 0.02 M 185"
-    string told(const vec& values) const
+    string describe(const vec& values) const
     {
         string text;
         forAll(conditions, i)
@@ -280,14 +280,14 @@ public:
 
 
 //- Lines of the table of what was predicted
-void tellPredictions(Ostream& os, const experiment& e, const vec& parameters)
+void printPredictions(Ostream& os, const experiment& e, const vec& parameters)
 {
     const auto line = [&]
     (
         const char* what, const vec& conditions, const label q, const string& wanted
     )
     {
-        os  << what << ',' << e.name << ',' << e.told(conditions).c_str() << ','
+        os  << what << ',' << e.name << ',' << e.describe(conditions).c_str() << ','
             << e.quantities[q] << ',' << wanted.c_str() << ','
             << calibration::predicted(*e.surface, conditions, parameters)[q] << ','
             << e.leftOut(q).c_str() << nl;
@@ -350,7 +350,7 @@ int main(int argc, char* argv[])
         experiments.emplace_back(name, kinds.subDict(name), parameters);
         const auto& its = experiments.back().targets;
         targets.insert(targets.end(), its.begin(), its.end());
-        experiments.back().tellFreedom();
+        experiments.back().printFreedom();
     }
 
     calibration calibrate(parameters, targets);
@@ -377,7 +377,7 @@ int main(int argc, char* argv[])
     }
     for (const experiment& e : experiments)
     {
-        tellPredictions(os, e, chosen);
+        printPredictions(os, e, chosen);
     }
     Info<< "Written: " << os.name() << endl;
     return os.good() ? 0 : 1;

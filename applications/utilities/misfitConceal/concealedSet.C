@@ -149,7 +149,7 @@ Foam::misfit::concealedSide::concealedSide
     {
         if (all[i].ok())
         {
-            known_.insert(told(states_[i]), all[i]);
+            known_.insert(describe(states_[i]), all[i]);
         }
     }
     emulator_.reset
@@ -182,7 +182,7 @@ Foam::misfit::concealedSide::predict(const List<runState>& states)
     List<runState> rest;
     forAll(states, i)
     {
-        const auto known = known_.cfind(told(states[i]));
+        const auto known = known_.cfind(describe(states[i]));
         if (known.found())
         {
             all[i] = known.val();
@@ -196,7 +196,7 @@ Foam::misfit::concealedSide::predict(const List<runState>& states)
     label next = 0;
     forAll(states, i)
     {
-        if (!known_.found(told(states[i])))
+        if (!known_.found(describe(states[i])))
         {
             all[i] = run[next++];
         }
@@ -211,11 +211,11 @@ Foam::scalar Foam::misfit::concealedSide::difference(const label run)
     (
         ensembleFile::reduced(solver_.predict(List<runState>(1, states_[run]))[0])
     );
-    if (!now.ok() || !known_.found(told(states_[run])))
+    if (!now.ok() || !known_.found(describe(states_[run])))
     {
         return GREAT;
     }
-    const prediction& then = known_[told(states_[run])];
+    const prediction& then = known_[describe(states_[run])];
     scalar largest = 0;
     forAll(now.channels, i)
     {

@@ -54,7 +54,7 @@ json rival(const finding& f, const scalar clockUncertainty)
 //- The first of the explanations as a state, with or without its mechanisms
 runState stateOf(const finding& f, const settings& set, const bool with)
 {
-    const weighed& best = f.best();
+    const scored& best = f.best();
     wordList names;
     for (const int m : best.what.mechanisms)
     {
@@ -111,6 +111,6 @@ void Foam::misfit::diagnoseCases(concealedSide& library, const fileName& folder)
         writeWhole(c/"proof.json", proof.dump(1) + '\n');
         writeWhole(c/"verdict.json", verdictJson(found, c.name()));
         Info<< "    " << verdictNames[found.verdict] << ": "
-            << told(found).c_str() << endl;
+            << describe(found).c_str() << endl;
     }
 }

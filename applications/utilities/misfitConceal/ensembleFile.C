@@ -93,7 +93,7 @@ void Foam::misfit::ensembleFile::write
     os << digest << '\n';
     forAll(states, i)
     {
-        os << told(states[i]) << '\n';
+        os << describe(states[i]) << '\n';
         if (!runs[i].ok())
         {
             os << "failed\n";
@@ -137,11 +137,11 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::ensembleFile::read
     List<prediction> runs(states.size());
     forAll(states, i)
     {
-        if (nextLine(is, file) != told(states[i]))
+        if (nextLine(is, file) != describe(states[i]))
         {
             FatalErrorInFunction
                 << "The ensemble " << file << " is of another design: run "
-                << i + 1 << " should be " << told(states[i]).c_str()
+                << i + 1 << " should be " << describe(states[i]).c_str()
                 << ". Delete it to have it computed anew" << exit(FatalError);
         }
         for (const channel& c : channels.channels())

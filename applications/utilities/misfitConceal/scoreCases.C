@@ -47,7 +47,7 @@ std::string row(const openedCase& c)
     return
         c.key["case"].get<std::string>() + ',' + c.kind() + ','
       + joined(c.truth()) + (faulty.empty() ? "" : fault + ' ' + faulty) + ','
-      + shortNumber(c.seen.overNoise) + ',' + shortNumber(c.seen.overAll) + ','
+      + shortNumber(c.effect.noiseSNR) + ',' + shortNumber(c.effect.SNR) + ','
       + c.said() + ',' + joined(c.names()) + ','
       + shortNumber(c.verdict["confidence"]) + ','
       + (c.overlap() < 0 ? "" : shortNumber(c.overlap())) + '\n';
@@ -64,7 +64,7 @@ void Foam::misfit::scoreCases
 )
 {
     scores all;
-    std::map<std::string, std::unique_ptr<sight>> sights;
+    std::map<std::string, std::unique_ptr<detectability>> byNoise;
     std::string table
     (
         "case,kind,truth,snrNoise,snr,verdict,names,confidence,overlap\n"
@@ -79,21 +79,21 @@ void Foam::misfit::scoreCases
             ++open;
             continue;
         }
-        std::unique_ptr<sight>& see = sights[key["noise"].dump()];
-        if (!see)
+        std::unique_ptr<detectability>& detect = byNoise[key["noise"].dump()];
+        if (!detect)
         {
-            see.reset(new sight(library, here));
+            detect.reset(new detectability(library, here));
         }
         openedCase c;
         c.key = key;
         c.verdict = readJson(here/"verdict.json");
         c.proof = readJson(here/"proof.json");
-        c.data = &see->data();
-        c.seen = (*see)(see->sampled(key["effect"]));
+        c.data = &detect->data();
+        c.effect = (*detect)(detect->sampled(key["effect"]));
         if (c.proof["effect"].size())
         {
             const std::vector<scalar> change(c.proof["effect"]);
-            c.namedSize = see->overNoise
+            c.namedSize = detect->noiseSNR
             (
                 Eigen::Map<const vec>(change.data(), change.size())
             );

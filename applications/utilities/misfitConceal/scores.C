@@ -108,7 +108,7 @@ Foam::scalar Foam::misfit::openedCase::overlap() const
 {
     scalar both = 0;
     scalar lengths = 0;
-    for (const window& a : seen.places)
+    for (const window& a : effect.places)
     {
         const segment& s = data->segments[a.segment];
         const scalar from = s.x[a.begin] - 0.5*s.span;
@@ -127,7 +127,7 @@ Foam::scalar Foam::misfit::openedCase::overlap() const
             }
         }
     }
-    if (seen.places.empty())
+    if (effect.places.empty())
     {
         return -1;
     }
@@ -144,7 +144,7 @@ Foam::scalar Foam::misfit::openedCase::onset() const
     scalar real = GREAT;
     scalar found = GREAT;
     scalar end = 0;
-    for (const window& a : seen.places)
+    for (const window& a : effect.places)
     {
         const segment& s = data->segments[a.segment];
         real = min(real, s.x[a.begin] - 0.5*s.span);
@@ -155,7 +155,7 @@ Foam::scalar Foam::misfit::openedCase::onset() const
         found = min(found, b["from"].get<scalar>());
     }
     return
-        seen.places.empty() ? -1
+        effect.places.empty() ? -1
       : found == GREAT ? end : mag(found - real);
 }
 
@@ -174,7 +174,7 @@ void Foam::misfit::scores::addRemoved(const openedCase& c)
 
 void Foam::misfit::scores::addPhysics(const openedCase& c)
 {
-    const bool strong = c.seen.overAll >= seenFrom;
+    const bool strong = c.effect.SNR >= detectableFrom;
     const bool all = c.named() && c.names() == c.truth();
     if (c.kind() == "single")
     {
@@ -187,7 +187,7 @@ void Foam::misfit::scores::addPhysics(const openedCase& c)
              || (c.said() == "set" && contains(c.names(), c.truth().front()))
             );
         }
-        if (c.seen.overNoise >= seenFrom)
+        if (c.effect.noiseSNR >= detectableFrom)
         {
             singleNoise_.count(all);
         }
@@ -208,7 +208,7 @@ void Foam::misfit::scores::addPhysics(const openedCase& c)
     }
     if (all && c.namedSize > 0)
     {
-        size_.values.append(100*mag(c.namedSize/c.seen.overNoise - 1));
+        size_.values.append(100*mag(c.namedSize/c.effect.noiseSNR - 1));
     }
     if (c.named())
     {
@@ -221,7 +221,7 @@ void Foam::misfit::scores::addPhysics(const openedCase& c)
 
 void Foam::misfit::scores::add(const openedCase& c)
 {
-    const bool strong = c.seen.overAll >= seenFrom;
+    const bool strong = c.effect.SNR >= detectableFrom;
     bool right = false;
     if (c.kind() == "null")
     {

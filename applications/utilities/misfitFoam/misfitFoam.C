@@ -20,7 +20,7 @@ namespace misfit
 {
 
 //- List the runs and what they will cost
-void tellPlan
+void printPlan
 (
     sampler& ask,
     solverPredictor& solver,
@@ -30,7 +30,7 @@ void tellPlan
     label n = 0;
     for (const plannedStage& stage : plan(ask, set))
     {
-        solver.tell(stage.name, stage.states);
+        solver.print(stage.name, stage.states);
         n += stage.states.size();
     }
     const label refits = (set.refit + 3)*set.commonRandomNumbers;
@@ -53,13 +53,14 @@ void tellPlan
 }
 
 
-void tellFinding(const finding& f, const fileName& folder)
+void printFinding(const finding& f, const fileName& folder)
 {
-    Info<< nl << "Verdict: " << verdictNames[f.verdict] << nl << told(f).c_str() << nl
+    Info<< nl << "Verdict: " << verdictNames[f.verdict] << nl
+        << describe(f).c_str() << nl
         << "Confidence " << f.confidence << nl;
     for (const place& p : f.located)
     {
-        Info<< "    " << told(p, f.data).c_str() << nl;
+        Info<< "    " << describe(p, f.data).c_str() << nl;
     }
     if (f.answer.size())
     {
@@ -141,7 +142,7 @@ int main(int argc, char* argv[])
     predictedSampler sampler(recorded, solver);
     if (args.found("dry-run"))
     {
-        tellPlan(sampler, solver, set);
+        printPlan(sampler, solver, set);
         return 0;
     }
 
@@ -152,7 +153,7 @@ int main(int argc, char* argv[])
         found, folder,
         originOf(above.name()/runTime.path().name(), recorded, set.candidates)
     );
-    tellFinding(found, folder);
+    printFinding(found, folder);
     if (found.answer.size())
     {
         solver.makeCase(found.answer.first(), folder/correctedCase);

@@ -44,7 +44,7 @@ wordList pairOf(const argList& args, const word& option)
 
 
 template<class Value>
-void tell(const char* name, const Value& value)
+void print(const char* name, const Value& value)
 {
     Info<< name << ',' << value << nl;
 }
@@ -63,7 +63,7 @@ scalar meanAbsoluteDifference(const vec& x, const vec& y)
 void compare(const mat& table, const scalar scatter)
 {
     const mat pairs = statistics::completeRows(table);
-    tell("pairs", label(pairs.rows()));
+    print("pairs", label(pairs.rows()));
     if (pairs.rows() == 0)
     {
         return;
@@ -83,19 +83,19 @@ void compare(const mat& table, const scalar scatter)
     const scalar constant =
         meanAbsoluteDifference(vec::Constant(y.size(), mean), y);
 
-    tell("mean", x.mean());
-    tell("meanAbsoluteDifference", off);
-    tell("constantDifference", constant);
-    tell("skill", 1 - off/constant);
-    tell("correlation", statistics::correlation(x, y));
-    tell("rankCorrelation", statistics::rankCorrelation(x, y));
+    print("mean", x.mean());
+    print("meanAbsoluteDifference", off);
+    print("constantDifference", constant);
+    print("skill", 1 - off/constant);
+    print("correlation", statistics::correlation(x, y));
+    print("rankCorrelation", statistics::rankCorrelation(x, y));
 
     if (scatter >= 0)
     {
         const statistics::rankInterval interval =
             statistics::rankCorrelationInterval(x, y, scatter);
-        tell("rankCorrelationFrom", interval.from);
-        tell("rankCorrelationTo", interval.to);
+        print("rankCorrelationFrom", interval.from);
+        print("rankCorrelationTo", interval.to);
     }
 }
 
@@ -106,12 +106,12 @@ void powerLaw(const mat& table)
     const statistics::powerLaw law =
         statistics::fitPowerLaw(pairs.col(0), pairs.col(1));
 
-    tell("pairs", label(pairs.rows()));
-    tell("coefficient", law.coefficient);
-    tell("exponent", law.exponent);
-    tell("R2", law.R2);
-    tell("xMin", pairs.col(0).minCoeff());
-    tell("xMax", pairs.col(0).maxCoeff());
+    print("pairs", label(pairs.rows()));
+    print("coefficient", law.coefficient);
+    print("exponent", law.exponent);
+    print("R2", law.R2);
+    print("xMin", pairs.col(0).minCoeff());
+    print("xMax", pairs.col(0).maxCoeff());
 }
 
 
@@ -119,7 +119,7 @@ void powerLaw(const mat& table)
 void correlations(const wordList& names, const mat& table)
 {
     const mat rows = statistics::completeRows(table);
-    tell("first,second", "correlation");
+    print("first,second", "correlation");
     forAll(names, i)
     {
         forAll(names, k)
@@ -131,7 +131,7 @@ void correlations(const wordList& names, const mat& table)
 }
 
 
-void tellAll(const argList& args, const fileName& file)
+void printAll(const argList& args, const fileName& file)
 {
     if
     (
@@ -205,7 +205,7 @@ int main(int argc, char *argv[])
     const fileName file(args[1]);
     try
     {
-        tellAll(args, file);
+        printAll(args, file);
     }
     catch (const std::invalid_argument& wrong)
     {

@@ -169,16 +169,16 @@ void Foam::liggghtsPhase::warnOfVanished
     toldOfVanished_ = true;
 
     WarningInFunction
-        << n << " grains (told once) are gone by time "
+        << n << " grains (said once) are gone by time "
         << mesh_.time().timeName() << " s that were not about to reach a side"
         << " of their box; they are lost, and do not count as left." << nl
-        << "    " << told(first).c_str() << nl
+        << "    " << describe(first).c_str() << nl
         << "    A command of the case took them away, or a contact threw them"
         << " out: then shorten the DEM step." << endl;
 }
 
 
-std::string Foam::liggghtsPhase::told(const lostGrainFinder::seen& grain)
+std::string Foam::liggghtsPhase::describe(const lostGrainFinder::seen& grain)
 {
     if (grain.first() < 0)
     {
@@ -202,7 +202,7 @@ void Foam::liggghtsPhase::stopForWrong
     FatalErrorInFunction
         << "A grain left the mesh where it may not, by time "
         << mesh_.time().timeName() << " s." << nl
-        << "    " << told(first).c_str() << nl
+        << "    " << describe(first).c_str() << nl
         << "    " << n << " of " << nGrains_ << " grains left so." << nl
         << "    If grains pass a wall: shorten the DEM step or make the"
         << " grains stiffer. If they may leave: name the patches in"

@@ -49,8 +49,8 @@ namespace
         return closure::strength(keywords::sub(dict, name, {"strength"}));
     }
 
-    //- What is told of such a force
-    dictionary told(const scalar strength)
+    //- The settings in use of such a force
+    dictionary settingsOf(const scalar strength)
     {
         dictionary result;
         result.add("strength", strength);
@@ -80,9 +80,9 @@ Foam::closuresInUse::closuresInUse(const fvMesh& mesh, const dictionary& dict)
     active.add("rotationalDrag", family(dict, "rotationalDrag", "Dennis"));
     active.add("lubrication", lubrication.active());
     active.add("history", history.inUse());
-    active.add("pressureGradient", told(pressureGradient));
-    active.add("excessPressure", told(excessPressure));
-    active.add("viscousForce", told(viscousForce));
+    active.add("pressureGradient", settingsOf(pressureGradient));
+    active.add("excessPressure", settingsOf(excessPressure));
+    active.add("viscousForce", settingsOf(viscousForce));
 
     keywords::check(dict, active.sortedToc());
 }

@@ -13,7 +13,7 @@ using namespace Foam;
 using namespace Foam::misfit;
 
 //- True if it is one of the set, or has all mechanisms of one
-bool hasOneOfSet(const finding& f, const weighed& w)
+bool hasOneOfSet(const finding& f, const scored& w)
 {
     return
         isAmong(f.alternatives, w)
@@ -21,7 +21,7 @@ bool hasOneOfSet(const finding& f, const weighed& w)
         (
             f.alternatives.begin(),
             f.alternatives.end(),
-            [&](const weighed& one)
+            [&](const scored& one)
             {
                 return
                     one.what.fault ? w.what.extends(one.what)
@@ -32,7 +32,7 @@ bool hasOneOfSet(const finding& f, const weighed& w)
 
 
 //- True if an explanation says what the verdict says
-bool agrees(const finding& f, const weighed& w)
+bool agrees(const finding& f, const scored& w)
 {
     switch (f.verdict)
     {
@@ -59,11 +59,11 @@ void Foam::misfit::setConfidence(const settings& set, finding& f)
 {
     scalar sum = 0;
     bool physics = false;
-    for (const weighed& w : f.explained.all())
+    for (const scored& w : f.explained.all())
     {
         sum += agrees(f, w) ? w.probability : 0;
     }
-    for (const weighed& w : f.rivals)
+    for (const scored& w : f.rivals)
     {
         physics = physics || w.what.mechanisms.size();
     }

@@ -16,7 +16,7 @@ using namespace Foam::misfit;
 mat predictionErrors
 (
     const models& m,
-    const weighed& best,
+    const scored& best,
     const scalar discrepancy
 )
 {
@@ -26,12 +26,12 @@ mat predictionErrors
         m.calibration->model(best.what), whitener(best.covariance), x
     );
     const mat there = m.validation->model(best.what).slopes(x);
-    const weighing weigh(m.validation->weigh(discrepancy));
+    const scoring score(m.validation->score(discrepancy));
     mat errors =
-        there*unsure*there.transpose() + weigh.modelDiscrepancy(best);
+        there*unsure*there.transpose() + score.modelDiscrepancy(best);
     if (best.what.unknown)
     {
-        errors += weigh.unknownShape(best.amplitude, best.length);
+        errors += score.unknownShape(best.amplitude, best.length);
     }
     return errors;
 }
@@ -42,7 +42,7 @@ mat predictionErrors
 Foam::scalar Foam::misfit::chanceOfDegradation
 (
     const models& m,
-    const weighed& best,
+    const scored& best,
     const heldOut& h,
     const scalar discrepancy
 )

@@ -40,7 +40,7 @@ std::vector<int> alwaysFailing
 
 //- What candidates, as far as they were run, and sensor faults would change in the
 //  fitted samples: a column for each
-mat shapes(const study& s, const sampledModel& calibration, const weighed& base)
+mat shapes(const study& s, const sampledModel& calibration, const scored& base)
 {
     mat all(calibration.size(), 0);
     const auto add = [&all](const vec& change)
@@ -124,11 +124,11 @@ std::vector<int> Foam::misfit::addCalibrationRuns(study& s, models& m)
 }
 
 
-Foam::misfit::scanned Foam::misfit::look
+Foam::misfit::scanned Foam::misfit::scanResidual
 (
     const study& s,
     const sampledModel& m,
-    const weighed& w,
+    const scored& w,
     const mat& shapes
 )
 {
@@ -155,7 +155,7 @@ Foam::misfit::scanned Foam::misfit::look
 }
 
 
-Foam::misfit::weighed Foam::misfit::detect
+Foam::misfit::scored Foam::misfit::detect
 (
     const study& s,
     const models& m,
@@ -170,7 +170,7 @@ Foam::misfit::weighed Foam::misfit::detect
     const statistics::scan raw(data, white, set.draws, set.seed);
     f.raw = raw(data.y - atMean, set.significance);
 
-    const weighed base(m.calibration->weigh(set.modelDiscrepancy).base());
+    const scored base(m.calibration->score(set.modelDiscrepancy).base());
     forAll(set.parameters, i)
     {
         const parameter& p = set.parameters[i];
@@ -180,7 +180,8 @@ Foam::misfit::weighed Foam::misfit::detect
             base.best.deviation(i), base.best.pinned[i]
         });
     }
-    f.detection = look(s, *m.calibration, base, shapes(s, *m.calibration, base));
+    f.detection =
+        scanResidual(s, *m.calibration, base, shapes(s, *m.calibration, base));
 
     const vec misfit = data.y - base.best.f;
     std::vector<window> clear;
@@ -239,7 +240,7 @@ void Foam::misfit::addSensitivityRuns
 (
     study& s,
     models& m,
-    const weighed& base,
+    const scored& base,
     screened& candidates,
     std::vector<int>& never
 )

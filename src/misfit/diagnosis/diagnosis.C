@@ -45,7 +45,7 @@ finding diagnosed(sampler& ask, const settings& set)
 
     addUncertainty(s, m);
     std::vector<int> never(addCalibrationRuns(s, m));
-    const weighed base(detect(s, m, f));
+    const scored base(detect(s, m, f));
     const bool detected = isDetected(s, f);
     screened candidates(screen(s, *m.calibration, base, never));
     if (detected)
@@ -62,7 +62,7 @@ finding diagnosed(sampler& ask, const settings& set)
     Info<< "Sensors and mechanisms" << endl;
     f.explained = explanations
     (
-        m.calibration->weigh(set.modelDiscrepancy).all
+        m.calibration->score(set.modelDiscrepancy).all
         (
             candidates.left,
             possibleFaults(m.calibration->data(), set.faults),

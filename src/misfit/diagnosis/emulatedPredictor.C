@@ -181,7 +181,7 @@ Foam::misfit::emulatedPredictor::emulatedPredictor
         // That another replicate or resolution failed must not stay unsaid
         if (runs[i].ok() || isVariant(i))
         {
-            known_.insert(told(states[i]), i);
+            known_.insert(describe(states[i]), i);
         }
         if (runs[i].ok())
         {
@@ -206,7 +206,7 @@ Foam::misfit::emulatedPredictor::predict(const List<runState>& states)
     List<prediction> all(states.size());
     forAll(states, i)
     {
-        const auto known = known_.cfind(told(states[i]));
+        const auto known = known_.cfind(describe(states[i]));
         all[i] = known.found() ? runs_[known.val()] : emulated(states[i]);
     }
     return all;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The explanations that were weighed, and what the solver gave for them.
+// The explanations that were scored, and what the solver gave for them.
 
 #include "explanations.H"
 
 #include <algorithm>
 
-const Foam::misfit::weighed& Foam::misfit::explanations::baseline() const
+const Foam::misfit::scored& Foam::misfit::explanations::baseline() const
 {
-    for (const weighed& w : all_)
+    for (const scored& w : all_)
     {
         if (w.what.isNone())
         {
@@ -21,7 +21,7 @@ const Foam::misfit::weighed& Foam::misfit::explanations::baseline() const
 Foam::scalar Foam::misfit::explanations::lowestScore() const
 {
     scalar lowest = GREAT;
-    for (const weighed& w : all_)
+    for (const scored& w : all_)
     {
         lowest = min(lowest, w.score);
     }
@@ -37,7 +37,7 @@ void Foam::misfit::explanations::sort()
 
 void Foam::misfit::explanations::putFirst(const hypothesis& h)
 {
-    for (weighed& w : all_)
+    for (scored& w : all_)
     {
         if (w.what == h)
         {
@@ -48,20 +48,20 @@ void Foam::misfit::explanations::putFirst(const hypothesis& h)
 }
 
 
-std::vector<Foam::misfit::weighed>
+std::vector<Foam::misfit::scored>
 Foam::misfit::explanations::rivals(const settings& set) const
 {
     const scalar lowest = lowestScore();
     hypothesis leader;
-    for (const weighed& w : all_)
+    for (const scored& w : all_)
     {
         if (w.score == lowest)
         {
             leader = w.what;
         }
     }
-    std::vector<weighed> near;
-    for (const weighed& w : all_)
+    std::vector<scored> near;
+    for (const scored& w : all_)
     {
         // Another formula of the first is easily taken for a second mechanism
         const bool isPart =
@@ -93,7 +93,7 @@ Foam::misfit::explanations::find(const hypothesis& h) const
 Foam::misfit::computed Foam::misfit::explanations::lookUp
 (
     const models& m,
-    const weighed& w
+    const scored& w
 ) const
 {
     if (const computed* found = find(w.what))
@@ -136,10 +136,10 @@ void Foam::misfit::explanations::forget(const hypothesis& h)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-std::vector<int> Foam::misfit::commonMechanisms(const std::vector<weighed>& list)
+std::vector<int> Foam::misfit::commonMechanisms(const std::vector<scored>& list)
 {
     std::vector<int> core(list.front().what.mechanisms);
-    for (const weighed& w : list)
+    for (const scored& w : list)
     {
         std::vector<int> both;
         for (const int m : core)
@@ -157,14 +157,14 @@ std::vector<int> Foam::misfit::commonMechanisms(const std::vector<weighed>& list
 
 bool Foam::misfit::isAmong
 (
-    const std::vector<weighed>& list,
-    const weighed& w
+    const std::vector<scored>& list,
+    const scored& w
 )
 {
     return std::any_of
     (
         list.begin(),
         list.end(),
-        [&w](const weighed& other) { return other.what == w.what; }
+        [&w](const scored& other) { return other.what == w.what; }
     );
 }

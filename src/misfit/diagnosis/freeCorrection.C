@@ -28,7 +28,7 @@ scalar choices(const label all, const label some)
 //- A combination of elements, fitted, and what the solver gave for it
 struct correctionFit
 {
-    weighed explained;
+    scored explained;
 
     //- Elements that are free; those of a law are not
     labelList free;
@@ -51,7 +51,7 @@ class correctionFitter
 
     models m_;
 
-    const weighed base_;
+    const scored base_;
 
     //- The covariance of the base is that of all
     const whitener white_;
@@ -71,14 +71,14 @@ class correctionFitter
 
 
     //- number: the part of the score that counts the choices
-    correctionFit weigh(const mat& combination, const scalar number) const
+    correctionFit score(const mat& combination, const scalar number) const
     {
         correctionFit f;
         f.explained.what.combination = combination;
         f.explained.number = number;
         f.explained.covariance = base_.covariance;
         f.explained =
-            m_.calibration->weigh(s_.set().modelDiscrepancy).again
+            m_.calibration->score(s_.set().modelDiscrepancy).again
             (
                 f.explained, white_
             );
@@ -112,7 +112,7 @@ class correctionFitter
             free.append(i);
             correctionFit one
             (
-                weigh(freeing(free), choices(elements().size(), free.size()))
+                score(freeing(free), choices(elements().size(), free.size()))
             );
             one.free = free;
             if (one.explained.score < best.explained.score)
@@ -282,7 +282,7 @@ class correctionFitter
 
 public:
 
-    correctionFitter(const study& s, const models& m, const weighed& base)
+    correctionFitter(const study& s, const models& m, const scored& base)
     :
         s_(s.ofCorrection()),
         m_(s_),
@@ -346,7 +346,7 @@ public:
     //- Elements taken up one after the other
     correctionFit freely()
     {
-        correctionFit best(weigh(freeing(labelList()), 0));
+        correctionFit best(score(freeing(labelList()), 0));
         const scalar none = best.explained.score;
 
         // The first one must be evidence, the others more than luck
@@ -416,7 +416,7 @@ public:
         labelList order(identity(laws.size()));
         for (const dimensionlessLaw& l : laws)
         {
-            fits.append(weigh(l.combination, number));
+            fits.append(score(l.combination, number));
         }
         const auto sort = [&]()
         {
@@ -464,7 +464,7 @@ public:
             found_.explained ? &found_.laws.first().law : nullptr;
         const settings& set = s_.set();
         found_.after = f.explained.best.f;
-        found_.left = look(s_, *m_.calibration, f.explained).p;
+        found_.left = scanResidual(s_, *m_.calibration, f.explained).p;
         found_.isEnough = found_.left >= set.adequacy;
         const word& here = s_.data().experiment;
         if (m_.validation->size())
@@ -544,7 +544,7 @@ Foam::misfit::correctionFound Foam::misfit::fitCorrection
 (
     const study& s,
     const models& m,
-    const weighed& base,
+    const scored& base,
     const std::map<word, covariance>& known,
     label& runs
 )

@@ -14,11 +14,11 @@ using namespace Foam::misfit;
 //- The score that an explanation gains over the base, where that was recorded
 scalar gain(const sampledModel& m, const hypothesis& h, const scalar discrepancy)
 {
-    const weighing weigh(m.weigh(discrepancy));
-    const weighed base(weigh.base());
+    const scoring score(m.score(discrepancy));
+    const scored base(score.base());
     return
         base.score
-      - weigh.quickly(h, whitener(base.covariance)).score;
+      - score.withBaseCovariance(h, whitener(base.covariance)).score;
 }
 
 
@@ -113,7 +113,7 @@ gate gapGate(const explanations& e, const settings& set)
     scalar own = e.best().score;
     scalar others = GREAT;
     std::optional<hypothesis> next;
-    for (const weighed& w : e.all())
+    for (const scored& w : e.all())
     {
         if (saySame(e.best().what, w.what))
         {
@@ -154,7 +154,9 @@ gate adequacyGate
     (
         atLeast
         (
-            gateKind::adequacy, look(s, *m.calibration, e.best()).p, s.set().adequacy
+            gateKind::adequacy,
+            scanResidual(s, *m.calibration, e.best()).p,
+            s.set().adequacy
         )
     );
     g.applies = !e.best().what.unknown || isMostlyUnknown(e, alone);
@@ -204,7 +206,7 @@ gate degradesHeldOutGate
 (
     const study& s,
     const models& m,
-    const weighed& best,
+    const scored& best,
     const heldOut& h,
     const label number
 )
@@ -228,19 +230,19 @@ gate degradesHeldOutGate
 
 
 //- What wins without a channel
-weighed winnerWithout
+scored winnerWithout
 (
     const study& s,
     const models& m,
-    const weighed& best,
+    const scored& best,
     const std::vector<int>& mechanisms,
     const label channel
 )
 {
     const auto rest(m.calibration->without(channel, s.width()));
-    const std::vector<weighed> all
+    const std::vector<scored> all
     (
-        rest->weigh(s.set().modelDiscrepancy).all
+        rest->score(s.set().modelDiscrepancy).all
         (
             mechanisms,
             possibleFaults(rest->data(), s.set().faults),
@@ -248,9 +250,9 @@ weighed winnerWithout
         )
     );
     scalar own = GREAT;
-    for (const weighed& w : all)
+    for (const scored& w : all)
     {
-        // Something unknown is weighed beside the best few only. It does not speak
+        // Something unknown is scored beside the best few only. It does not speak
         // for what it is beside: it may match what that does not
         const bool same = !w.what.fault && w.what.hasMechanismsOf(best.what);
         if (w.what == best.what || (same && own == GREAT))
@@ -258,7 +260,7 @@ weighed winnerWithout
             own = w.score;
         }
     }
-    for (const weighed& w : all)
+    for (const scored& w : all)
     {
         const bool other =
             w.what.fault ? true
@@ -277,7 +279,7 @@ gate stabilityGate
 (
     const study& s,
     const models& m,
-    const weighed& best,
+    const scored& best,
     const std::vector<int>& mechanisms,
     std::vector<winner>& winners
 )
@@ -289,7 +291,7 @@ gate stabilityGate
     g.applies = applies;
     for (label i = 0; i < asked; ++i)
     {
-        const weighed w(winnerWithout(s, m, best, mechanisms, i));
+        const scored w(winnerWithout(s, m, best, mechanisms, i));
         if (!(w.what == best.what))
         {
             winners.push_back({channels[i].name, w});
@@ -316,9 +318,9 @@ scalar gainAlone
     {
         return gain(m, what, discrepancy);
     }
-    for (const weighed& w : e.all())
+    for (const scored& w : e.all())
     {
-        // Weighed with the uncertainty where the exchange moves it
+        // Scored with the uncertainty where the exchange moves it
         if (what.fault && w.what == what.known())
         {
             return e.baseline().score - w.score;
@@ -351,7 +353,7 @@ gate placeboGate
     const scalar alone
 )
 {
-    const weighed& best = e.best();
+    const scored& best = e.best();
     const stacked& data = m.calibration->data();
     const vec y = data.y;
     const vec base = e.baseline().best.f;
@@ -386,7 +388,7 @@ void askHeldOut
 (
     const study& s,
     const models& m,
-    const weighed& best,
+    const scored& best,
     const List<heldOut>& held,
     gateList& gates
 )
@@ -471,7 +473,7 @@ std::map<Foam::word, Foam::misfit::covariance> Foam::misfit::askGates
         e.putFirst(hypothesis(e.baseline().what));
     }
 
-    const weighed& best = e.best();
+    const scored& best = e.best();
     const heldOutTest test
     (
         testHeldOut

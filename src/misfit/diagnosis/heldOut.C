@@ -16,7 +16,7 @@ using namespace Foam::misfit;
 vec withFault
 (
     const models& m,
-    const weighed& best,
+    const scored& best,
     const stacked& data,
     const vec& computed
 )
@@ -39,7 +39,7 @@ std::vector<vec> calibrationSteps
 (
     const study& s,
     const models& m,
-    const weighed& base
+    const scored& base
 )
 {
     const label nP = s.bounds().nParameters;
@@ -150,7 +150,7 @@ class otherExperiments
 
     const models& m_;
 
-    const weighed& best_;
+    const scored& best_;
 
     const computed before_;
 

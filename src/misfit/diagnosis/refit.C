@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Explanations are weighed on the response surface; the best are computed in the
+// Explanations are scored on the response surface; the best are computed in the
 // solver and fitted again.
 
 #include "refit.H"
@@ -18,12 +18,12 @@ bool isTried(const std::vector<hypothesis>& tried, const hypothesis& h)
 
 
 //- Computes an explanation and notes what the solver gave
-weighed computedAnew
+scored computedAnew
 (
     study& s,
     const models& m,
     explanations& e,
-    const weighed& w
+    const scored& w
 )
 {
     const refitted r(refit(s, *m.calibration, w));
@@ -41,9 +41,9 @@ void preferAmongRivals(const study& s, const models& m, explanations& e)
     e.sort();
 
     // What all rivals have on is the answer, if that alone is one of them
-    const std::vector<weighed> near(e.rivals(s.set()));
+    const std::vector<scored> near(e.rivals(s.set()));
     const std::vector<int> core(commonMechanisms(near));
-    for (const weighed& w : near)
+    for (const scored& w : near)
     {
         if (core.size() && w.what.mechanisms.size() == core.size())
         {
@@ -58,7 +58,7 @@ void preferAmongRivals(const study& s, const models& m, explanations& e)
         what.fault && what.fault->kind == faultKind::swapped;
     const bool whole =
         (what.mechanisms.size() || exchanged) && !what.unknown;
-    if (whole && look(s, *m.calibration, e.best()).p < s.set().adequacy)
+    if (whole && scanResidual(s, *m.calibration, e.best()).p < s.set().adequacy)
     {
         hypothesis part(what);
         part.unknown = true;
@@ -71,7 +71,7 @@ void preferAmongRivals(const study& s, const models& m, explanations& e)
 
 Foam::misfit::refitted Foam::misfit::refit
 (
-    const weighed& start,
+    const scored& start,
     const label passes,
     const vec& width,
     const refitting& with
@@ -79,9 +79,9 @@ Foam::misfit::refitted Foam::misfit::refit
 {
     refitted r;
     r.best = start;
-    weighed least(start);
-    weighed onward(start);
-    weighed next(start);
+    scored least(start);
+    scored onward(start);
+    scored next(start);
     scalar share = 1;
     for (label pass = 0; pass < passes; ++pass)
     {
@@ -98,7 +98,7 @@ Foam::misfit::refitted Foam::misfit::refit
         if (given.ok())
         {
             with.passThrough(x, given);
-            const weighed here(with.stay(next));
+            const scored here(with.stay(next));
             better = !pass || here.score < least.score;
             if (better)
             {
@@ -136,17 +136,17 @@ Foam::misfit::refitted Foam::misfit::refit
 (
     study& s,
     const sampledModel& surface,
-    const weighed& start,
+    const scored& start,
     const whitener* white
 )
 {
     const auto local(surface.copy());
-    const auto weigh = [&]()
+    const auto score = [&]()
     {
-        return local->weigh(s.set().modelDiscrepancy);
+        return local->score(s.set().modelDiscrepancy);
     };
     refitting with;
-    with.expand = [&](const weighed& now)
+    with.expand = [&](const scored& now)
     {
         return local->model(now.what).expand(now.best.x);
     };
@@ -158,13 +158,13 @@ Foam::misfit::refitted Foam::misfit::refit
     {
         local->passThrough(x, given.calibration);
     };
-    with.stay = [&](const weighed& now)
+    with.stay = [&](const scored& now)
     {
-        return white ? weigh().where(now, *white) : weigh().where(now);
+        return white ? score().where(now, *white) : score().where(now);
     };
-    with.fit = [&](const weighed& now)
+    with.fit = [&](const scored& now)
     {
-        return white ? weigh().again(now, *white) : weigh().thoroughly(now);
+        return white ? score().again(now, *white) : score().withOwnCovariance(now);
     };
     return refit(start, s.set().passes, s.width(), with);
 }
@@ -173,7 +173,7 @@ Foam::misfit::refitted Foam::misfit::refit
 void Foam::misfit::refitBest(study& s, const models& m, explanations& e)
 {
     Info<< "Refit of the best explanations" << endl;
-    std::vector<weighed>& all = e.all();
+    std::vector<scored>& all = e.all();
     const label n = s.set().refit;
 
     // The first run of each, side by side; the passes find them done
@@ -189,7 +189,7 @@ void Foam::misfit::refitBest(study& s, const models& m, explanations& e)
 
     // The base too; then the best, until the best of all was computed
     std::vector<hypothesis> done;
-    for (weighed& w : all)
+    for (scored& w : all)
     {
         if (w.what.isNone())
         {

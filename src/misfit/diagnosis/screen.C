@@ -42,7 +42,7 @@ Foam::misfit::screened Foam::misfit::screen
 (
     const study& s,
     const sampledModel& calibration,
-    const weighed& base,
+    const scored& base,
     const std::vector<int>& never
 )
 {

@@ -152,7 +152,7 @@ Foam::misfit::study::means(const std::vector<vec>& variables)
 void Foam::misfit::study::leaveOut(const runState& s, const string& why)
 {
     failed_.append({s, why});
-    Info<< "    left out: " << told(s).c_str() << ": " << why.c_str() << endl;
+    Info<< "    left out: " << describe(s).c_str() << ": " << why.c_str() << endl;
 }
 
 

@@ -11,7 +11,7 @@ void Foam::misfit::tellApart
     finding& f
 )
 {
-    const weighed& base = f.explained.baseline();
+    const scored& base = f.explained.baseline();
     const hypothesisModel model(calibration.model(base.what));
     const vec at = model.expand(base.best.x);
     const whitener white
@@ -55,12 +55,12 @@ Foam::misfit::advice Foam::misfit::measurementBetween
     const study& s,
     const models& m,
     const explanations& e,
-    const std::vector<weighed>& rivals
+    const std::vector<scored>& rivals
 )
 {
     advice result;
     std::vector<computed> two;
-    for (const weighed& w : rivals)
+    for (const scored& w : rivals)
     {
         if (two.size() < 2 && !w.what.isNone() && !w.what.isOnlyUnknown())
         {

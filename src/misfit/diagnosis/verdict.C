@@ -32,13 +32,13 @@ bool isSame(const std::vector<int>& a, const std::vector<int>& b)
 
 
 //- Without those that add to another
-std::vector<weighed> simplest(const std::vector<weighed>& list)
+std::vector<scored> simplest(const std::vector<scored>& list)
 {
-    std::vector<weighed> kept;
-    for (const weighed& w : list)
+    std::vector<scored> kept;
+    for (const scored& w : list)
     {
         bool adds = false;
-        for (const weighed& other : list)
+        for (const scored& other : list)
         {
             adds = adds || w.what.extends(other.what);
         }
@@ -52,9 +52,9 @@ std::vector<weighed> simplest(const std::vector<weighed>& list)
 
 
 //- True if all are faults of the channel of the best, or its exchange
-bool blameTheSame(const std::vector<weighed>& near, const hypothesis& best)
+bool blameTheSame(const std::vector<scored>& near, const hypothesis& best)
 {
-    for (const weighed& w : near)
+    for (const scored& w : near)
     {
         const bool same =
             w.what.fault && best.fault
@@ -69,7 +69,7 @@ bool blameTheSame(const std::vector<weighed>& near, const hypothesis& best)
 
 
 //- The simplest of these are the answer
-void callSet(const std::vector<weighed>& all, finding& f)
+void callSet(const std::vector<scored>& all, finding& f)
 {
     // One that adds to another of the set says nothing more
     f.names.clear();
@@ -79,9 +79,9 @@ void callSet(const std::vector<weighed>& all, finding& f)
 
 
 //- Chooses the verdict among the rivals
-void judge(const study& s, const std::vector<weighed>& near, finding& f)
+void judge(const study& s, const std::vector<scored>& near, finding& f)
 {
-    for (const weighed& w : near)
+    for (const scored& w : near)
     {
         if (w.what.isOnlyUnknown())
         {
@@ -114,12 +114,12 @@ void judge(const study& s, const std::vector<weighed>& near, finding& f)
 
 
 //- Only what does not hang on one channel
-void weaken(const study& s, std::vector<weighed> near, finding& f)
+void weaken(const study& s, std::vector<scored> near, finding& f)
 {
     if (f.verdict == verdictKind::named)
     {
-        near = std::vector<weighed>(1, f.best());
-        std::vector<weighed> all(near);
+        near = std::vector<scored>(1, f.best());
+        std::vector<scored> all(near);
         for (const winner& without : f.winners)
         {
             all.push_back(without.what);
@@ -141,7 +141,7 @@ void weaken(const study& s, std::vector<weighed> near, finding& f)
         // What all data support does not give way to what wins on fewer
         const hypothesis& h = without.what.what;
         bool another = !isAmong(near, without.what);
-        for (const weighed& n : near)
+        for (const scored& n : near)
         {
             another = another && !n.what.extends(h) && !h.extends(n.what);
         }
@@ -208,7 +208,7 @@ void choose(const study& s, finding& f)
 //- Of the mechanisms that are named
 void setStrengths(const study& s, finding& f)
 {
-    const weighed& best = f.best();
+    const scored& best = f.best();
     for (label i = 0; i < count(best.what.mechanisms); ++i)
     {
         const label k = s.bounds().nParameters + i;
@@ -228,7 +228,7 @@ void setStrengths(const study& s, finding& f)
 //- The best fit with nothing on but what is named
 runState namedState(const study& s, const models& m, const finding& f)
 {
-    const weighed& best = f.best();
+    const scored& best = f.best();
     runState named(s.state(m.calibration->model(best.what).expand(best.best.x)));
     for (const word& name : named.strengths.toc())
     {
@@ -243,7 +243,7 @@ runState namedState(const study& s, const models& m, const finding& f)
 
 void setPosterior(finding& f)
 {
-    for (const weighed& w : f.explained.all())
+    for (const scored& w : f.explained.all())
     {
         f.posterior.push_back({w.what, w.probability});
     }

@@ -319,7 +319,7 @@ void Foam::misfit::channel::divide(const label n)
 }
 
 
-void Foam::misfit::channel::lookAtNoise(const bool memoryGiven)
+void Foam::misfit::channel::estimateNoise(const bool memoryGiven)
 {
     const scalarList& x = recorded_.x;
     const scalarList& y = recorded_.y;
@@ -441,7 +441,7 @@ Foam::misfit::channel::channel
         readRecorded(dict, folder);
         cut(dict);
         divide(samples);
-        lookAtNoise(dict.found("memory"));
+        estimateNoise(dict.found("memory"));
         doubtUncertainty();
     }
 }

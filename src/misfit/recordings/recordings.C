@@ -133,7 +133,7 @@ void Foam::misfit::recordings::checkOnce(const dictionary& dict) const
                 continue;
             }
 
-            const string told
+            const string message
             (
                 "The channels " + b.name() + " and " + a.name() + shared
               + " the same numbers, " + b.source() + " and " + a.source()
@@ -141,13 +141,13 @@ void Foam::misfit::recordings::checkOnce(const dictionary& dict) const
             if (a.use() == purpose::calibration && b.use() == purpose::calibration)
             {
                 WarningInFunction
-                    << told.c_str() << ", which count twice now. Remove one, or"
+                    << message.c_str() << ", which count twice now. Remove one, or"
                     << " give them intervals that do not overlap" << endl;
                 continue;
             }
             FatalIOErrorInFunction(dict)
-                << told.c_str() << ". What is held out must not be seen elsewhere:"
-                << " remove one, or give them intervals that do not overlap"
+                << message.c_str() << ". What is held out must not be seen"
+                << " elsewhere: remove one, or give them intervals that do not overlap"
                 << exit(FatalIOError);
         }
     }

@@ -71,7 +71,7 @@ string whyNoLaw(const correctionFound& c)
         c.lawThatFails < 0
       ? "No law in one or two dimensionless numbers says as much."
       : "No law is named, since the solver fails with one that may say as much: it"
-        " would act like " + told(c.laws[c.lawThatFails]) + '.';
+        " would act like " + describe(c.laws[c.lawThatFails]) + '.';
 }
 
 
@@ -96,13 +96,13 @@ string whatIsGone(const correctionFound& c)
     {
         if (h.squareAfter > h.squareBefore)
         {
-            worse += (worse.empty() ? "" : " and ") + told(h);
+            worse += (worse.empty() ? "" : " and ") + describe(h);
         }
         else
         {
             gone +=
                 (gone.empty() ? "" : ", ")
-              + Foam::name(std::round(100*removed(h))) + " % at " + told(h);
+              + Foam::name(std::round(100*removed(h))) + " % at " + describe(h);
         }
     }
     string words
@@ -122,13 +122,13 @@ string whatIsGone(const correctionFound& c)
 } // End anonymous namespace
 
 
-Foam::string Foam::misfit::told(const fittedLaw& l)
+Foam::string Foam::misfit::describe(const fittedLaw& l)
 {
     return l.law.family == "drag" ? ofDrag(l) : ofPush(l);
 }
 
 
-Foam::string Foam::misfit::told(const correctionFound& c)
+Foam::string Foam::misfit::describe(const correctionFound& c)
 {
     if (c.failure.size())
     {
@@ -144,7 +144,7 @@ Foam::string Foam::misfit::told(const correctionFound& c)
     string words("It acts like ");
     if (c.explained)
     {
-        words += told(c.laws.first());
+        words += describe(c.laws.first());
     }
     else
     {
@@ -152,7 +152,7 @@ Foam::string Foam::misfit::told(const correctionFound& c)
         {
             words +=
                 (i ? ", and " : "")
-              + told(c.elements[i].element, c.elements[i].value);
+              + describe(c.elements[i].element, c.elements[i].value);
         }
     }
     words += whatIsGone(c);

@@ -72,18 +72,18 @@ string question(const gate& g, const finding& f)
             return
                 "Lead in score of the best that says the same over the next"
                 " explanation that says something else ("
-              + (g.next ? told(*g.next, f.library) : string("-")) + ")";
+              + (g.next ? describe(*g.next, f.library) : string("-")) + ")";
         case gateKind::adequacy:
             return "Chance of what the best explanation leaves";
         case gateKind::heldOut:
         case gateKind::transfer:
             return
-                "Mean square of the misfit at " + told(f.tested[g.held])
+                "Mean square of the misfit at " + describe(f.tested[g.held])
               + " (was " + threeDigits(f.tested[g.held].squareBefore)
               + "), which was not used to find it";
         case gateKind::degradesHeldOut:
             return
-                "Chance that " + told(f.tested[g.held])
+                "Chance that " + describe(f.tested[g.held])
               + " are matched so much worse (mean square "
               + threeDigits(f.tested[g.held].squareBefore) + " before, "
               + threeDigits(f.tested[g.held].squareAfter)
@@ -103,7 +103,7 @@ string question(const gate& g, const finding& f)
 
 
 Foam::misfit::gateWords
-Foam::misfit::told(const gate& g, const finding& f)
+Foam::misfit::describe(const gate& g, const finding& f)
 {
     switch (g.kind)
     {

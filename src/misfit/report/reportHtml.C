@@ -34,7 +34,7 @@ std::string where(const finding& f)
     {
         if (i < 5)
         {
-            text += "<li>" + escaped(told(f.located[i], f.data)) + "</li>\n";
+            text += "<li>" + escaped(describe(f.located[i], f.data)) + "</li>\n";
         }
     }
     return text + "</ol>\n";
@@ -123,18 +123,18 @@ std::string uncertain(const finding& f)
 }
 
 
-std::string weighedTold(const finding& f, const wordList& names)
+std::string describeScored(const finding& f, const wordList& names)
 {
     std::vector<row> rows;
-    const std::string answer = told(f.best().what, names);
-    std::vector<weighed> list(f.explained.all());
+    const std::string answer = describe(f.best().what, names);
+    std::vector<scored> list(f.explained.all());
     sortByScore(list);
 
     // The same fault may be there with several sizes
     bool judged = false;
-    for (const weighed& w : list)
+    for (const scored& w : list)
     {
-        const std::string name = told(w.what, names);
+        const std::string name = describe(w.what, names);
         if (rows.size() < 8)
         {
             rows.push_back
@@ -147,7 +147,7 @@ std::string weighedTold(const finding& f, const wordList& names)
         }
     }
     return
-        "<h2>Explanations that were weighed</h2>\n<p>"
+        "<h2>Explanations that were scored</h2>\n<p>"
       + std::to_string(f.explained.all().size()) + " were fitted in the same way."
         " The score behind the best counts misfit, and each further unknown"
         " against it; 6 behind is 20 times less likely.</p>\n"
@@ -171,7 +171,7 @@ std::string gates(const finding& f)
     std::vector<row> rows;
     for (const misfit::gate& g : f.gates)
     {
-        const gateWords words(told(g, f));
+        const gateWords words(describe(g, f));
         rows.push_back
         ({
             gateNames[g.kind], words.asked, g.applies ? words.value : string(),
@@ -225,7 +225,7 @@ std::string freeCorrection(const correctionFound& c)
     std::string text
     (
         "<h2>A free correction</h2>\n<p>No candidate explains what is missing, so"
-        " a correction without a mechanism was fitted: " + escaped(told(c))
+        " a correction without a mechanism was fitted: " + escaped(describe(c))
       + " It gains " + shortNumber(c.gain) + " in score.</p>\n"
     );
     std::vector<row> rows;
@@ -233,7 +233,8 @@ std::string freeCorrection(const correctionFound& c)
     {
         rows.push_back
         ({
-            told(p.element, p.value), shortNumber(p.value) + " +- " + shortNumber(2*p.deviation)
+            describe(p.element, p.value),
+            shortNumber(p.value) + " +- " + shortNumber(2*p.deviation)
         });
     }
     text += rows.empty() ? "" : table({"what it acts like", "value (95 %)"}, rows);
@@ -242,7 +243,7 @@ std::string freeCorrection(const correctionFound& c)
     {
         if (rows.size() < 5)
         {
-            rows.push_back({told(l), shortNumber(l.lead)});
+            rows.push_back({describe(l), shortNumber(l.lead)});
         }
     }
     text +=
@@ -253,7 +254,7 @@ std::string freeCorrection(const correctionFound& c)
     {
         rows.push_back
         ({
-            told(h) + " (" + channels(h) + ")", number(h.squareBefore),
+            describe(h) + " (" + channels(h) + ")", number(h.squareBefore),
             number(h.squareAfter), percent(removed(h))
         });
     }
@@ -269,11 +270,11 @@ std::string dropped(const finding& f)
     std::vector<row> rows;
     for (const droppedCandidate& d : f.dropped)
     {
-        rows.push_back({d.name, told(d)});
+        rows.push_back({d.name, describe(d)});
     }
     return
         rows.empty() ? std::string()
-      : "<h2>Not weighed</h2>\n" + table({"candidate", "why"}, rows);
+      : "<h2>Not scored</h2>\n" + table({"candidate", "why"}, rows);
 }
 
 
@@ -285,7 +286,7 @@ std::string rest(const finding& f)
         std::vector<row> rows;
         for (const failedRun& run : f.failedRuns)
         {
-            rows.push_back({told(run)});
+            rows.push_back({describe(run)});
         }
         text +=
             "<h2>Runs that failed</h2>\n<p>They are not in what is uncertain, or in"
@@ -318,7 +319,7 @@ std::string caption(const finding& f, const fileName& file)
     }
     const heldOut& h = f.held[std::stoi(name.substr(7)) - 1];
     return
-        "Not used to find it: " + told(h) + ". Mean square of the misfit "
+        "Not used to find it: " + describe(h) + ". Mean square of the misfit "
       + number(h.squareBefore)
       + (h.squareBefore == h.squareAfter ? std::string()
           : " before, " + number(h.squareAfter) + " after")
@@ -344,8 +345,8 @@ std::string Foam::misfit::reportHtml
     }
     return
         reportTop(f, from) + "<h2>Before and after</h2>\n" + series
-      + where(f) + map + freeCorrection(f.correction) + candidatesTold(f, from)
-      + weighedTold(f, f.library) + dropped(f) + gates(f) + apart(f) + rest(f)
+      + where(f) + map + freeCorrection(f.correction) + describeCandidates(f, from)
+      + describeScored(f, f.library) + dropped(f) + gates(f) + apart(f) + rest(f)
       + calibration(f) + uncertain(f) + glossary()
       + "<p>States asked for: " + std::to_string(f.nRuns)
       + ". The same in numbers: verdict.json.</p>\n</body></html>\n";

@@ -20,7 +20,7 @@ using namespace Foam::misfit::html;
 //- The names in the answer, or of what explains it best
 std::string answered(const finding& f)
 {
-    std::string names(told(f.best().what, f.library));
+    std::string names(describe(f.best().what, f.library));
     for (const word& name : answerOf(f))
     {
         names += ' ' + name;
@@ -93,7 +93,7 @@ std::string gone(const heldOut& h)
 }
 
 
-std::string heldOutTold(const finding& f)
+std::string describeHeldOut(const finding& f)
 {
     std::string text;
     for (const heldOut& h : f.held)
@@ -103,7 +103,7 @@ std::string heldOutTold(const finding& f)
         if (f.strengths.size() || faultIsShown)
         {
             text +=
-                "<br>At " + escaped(told(h) + " (" + channels(h) + ")")
+                "<br>At " + escaped(describe(h) + " (" + channels(h) + ")")
               + ", not used to find it, " + gone(h)
               + " (mean square over what is uncertain: from "
               + number(h.squareBefore) + " to " + number(h.squareAfter) + ").";
@@ -113,15 +113,15 @@ std::string heldOutTold(const finding& f)
 }
 
 
-//- Candidates that were not weighed, with the reason as far as it is short
-std::string droppedTold(const finding& f)
+//- Candidates that were not scored, with the reason as far as it is short
+std::string describeDropped(const finding& f)
 {
     std::string text;
     for (const droppedCandidate& d : f.dropped)
     {
-        const std::string why(told(d));
+        const std::string why(describe(d));
         text +=
-            (text.empty() ? "<br>Not weighed: " : ", ")
+            (text.empty() ? "<br>Not scored: " : ", ")
           + escaped(d.name + " (" + why.substr(0, why.find(':')) + ')');
     }
     return text.empty() ? text : text + '.';
@@ -133,7 +133,7 @@ std::string answer(const finding& f, const origin& from)
     std::string text
     (
         "<div class=\"verdict\"><b>" + verdictNames[f.verdict] + ".</b> "
-      + escaped(told(f))
+      + escaped(describe(f))
     );
     for (const candidate& c : from.candidates)
     {
@@ -144,8 +144,8 @@ std::string answer(const finding& f, const origin& from)
     }
     text +=
         "<br>Confidence " + percent(f.confidence) + ' ' + escaped(sureThat(f))
-      + ", among the explanations that were weighed."
-      + heldOutTold(f) + droppedTold(f);
+      + ", among the explanations that were scored."
+      + describeHeldOut(f) + describeDropped(f);
     if (f.answer.size())
     {
         text +=
@@ -245,7 +245,7 @@ std::string Foam::misfit::reportTop(const finding& f, const origin& from)
 }
 
 
-std::string Foam::misfit::candidatesTold(const finding& f, const origin& from)
+std::string Foam::misfit::describeCandidates(const finding& f, const origin& from)
 {
     std::vector<row> rows;
     for (const candidate& c : from.candidates)
@@ -253,7 +253,7 @@ std::string Foam::misfit::candidatesTold(const finding& f, const origin& from)
         std::string sets;
         for (const caseChange& change : c.changes)
         {
-            sets += (sets.empty() ? "" : "; ") + change.told(1);
+            sets += (sets.empty() ? "" : "; ") + change.describe(1);
         }
         std::string found;
         for (const foundStrength& s : f.strengths)
@@ -287,7 +287,7 @@ std::string Foam::misfit::glossary()
                 {"score", "how badly an explanation fits, plus a charge for each of"
                     " its unknowns; the lowest is the best"},
                 {"something unknown", "a smooth misfit of any shape that no candidate"
-                    " makes; it is weighed like the others"},
+                    " makes; it is scored like the others"},
                 {"evidence", "how much better the best explanation scores than none"},
                 {"gap", "how far it leads the next one that says something else"},
                 {"detection", "whether recording and simulation part beyond chance"},

@@ -55,7 +55,7 @@ json gates(const finding& f)
     json all = json::array();
     for (const misfit::gate& g : f.gates)
     {
-        const gateWords words(told(g, f));
+        const gateWords words(describe(g, f));
         all.push_back
         ({
             {"name", gateNames[g.kind]},
@@ -152,7 +152,7 @@ json located(const finding& f)
             {"to", s.x[w.end - 1] + 0.5*s.span},
             {"sigma", w.size},
             {"phase", phaseOf(s, f.data.y, w)},
-            {"words", told(p, f.data)}
+            {"words", describe(p, f.data)}
         });
     }
     return all;
@@ -166,7 +166,7 @@ json heldOuts(const List<heldOut>& held)
     {
         all.push_back
         ({
-            {"what", told(h)},
+            {"what", describe(h)},
             {"use", purposeNames[h.use]},
             {"meanSquareBefore", h.squareBefore},
             {"meanSquareAfter", h.squareAfter}
@@ -189,7 +189,7 @@ json freeCorrection(const correctionFound& c)
         parts.push_back
         ({
             {"name", p.element.name},
-            {"words", told(p.element, p.value)},
+            {"words", describe(p.element, p.value)},
             {"value", p.value},
             {"deviation", p.deviation}
         });
@@ -201,13 +201,13 @@ json freeCorrection(const correctionFound& c)
         ({
             {"family", l.law.family},
             {"groups", list(l.law.groups)},
-            {"words", told(l)},
+            {"words", describe(l)},
             {"lead", l.lead}
         });
     }
     return
     {
-        {"words", told(c)},
+        {"words", describe(c)},
         {"gain", c.gain},
         {"elements", parts},
         {"laws", laws},
@@ -245,7 +245,7 @@ json posterior(const finding& f)
         {
             all.push_back
             ({
-                {"explanation", told(p.first, f.library)},
+                {"explanation", describe(p.first, f.library)},
                 {"probability", p.second}
             });
         }
@@ -259,7 +259,7 @@ json failedRuns(const finding& f)
     json all = json::array();
     for (const failedRun& run : f.failedRuns)
     {
-        all.push_back(told(run));
+        all.push_back(describe(run));
     }
     return all;
 }
@@ -270,7 +270,7 @@ json dropped(const finding& f)
     json all = json::array();
     for (const droppedCandidate& d : f.dropped)
     {
-        all.push_back({{"name", d.name}, {"why", told(d)}});
+        all.push_back({{"name", d.name}, {"why", describe(d)}});
     }
     return all;
 }
@@ -305,7 +305,7 @@ std::string Foam::misfit::verdictJson(const finding& f, const string& title)
         {"case", title},
         {"verdict", verdictNames[f.verdict]},
         {"names", list(answerOf(f))},
-        {"words", told(f)},
+        {"words", describe(f)},
         {"confidence", std::round(1000*f.confidence)/1000},
         {"strengths", strengths(f)},
         {"fault", fault(f)},

@@ -45,7 +45,7 @@ string theBest(const finding& f)
             "the best explanation, a fault of " + what.fault->channel + " ("
           + kindOf(*what.fault) + ")";
     }
-    for (const weighed& w : f.explained.all())
+    for (const scored& w : f.explained.all())
     {
         const bool more =
             w.what.mechanisms.size() > what.mechanisms.size()
@@ -53,19 +53,19 @@ string theBest(const finding& f)
         if (more && w.score == f.explained.lowestScore())
         {
             return
-                "the best simple explanation, " + told(what, f.library)
-              + " (" + told(w.what, f.library)
+                "the best simple explanation, " + describe(what, f.library)
+              + " (" + describe(w.what, f.library)
               + " match better, but by too little to be told from it)";
         }
     }
-    return "the best explanation, " + told(what, f.library);
+    return "the best explanation, " + describe(what, f.library);
 }
 
 
 string alternatives(const finding& f)
 {
     bool mixed = false;
-    for (const weighed& w : f.alternatives)
+    for (const scored& w : f.alternatives)
     {
         mixed =
             mixed || w.what.mechanisms.size() > 1
@@ -76,10 +76,10 @@ string alternatives(const finding& f)
         return inWords(answerOf(f), "or");
     }
     string words;
-    for (const weighed& w : f.alternatives)
+    for (const scored& w : f.alternatives)
     {
         words +=
-            (words.empty() ? "" : ", or ") + told(w.what, f.library)
+            (words.empty() ? "" : ", or ") + describe(w.what, f.library)
           + (w.what.mechanisms.size() > 1 ? " together" : "");
     }
     return words;
@@ -137,7 +137,7 @@ string whatMayBeAdded(const finding& f)
     // A lead of less is not worth a mention (Kass & Raftery 1995, J. Am. Stat.
     // Assoc. 90:777)
     const scalar mention = 2;
-    for (const weighed& w : f.explained.all())
+    for (const scored& w : f.explained.all())
     {
         const bool better =
             w.what.mechanisms.size() > f.best().what.mechanisms.size()
@@ -146,7 +146,7 @@ string whatMayBeAdded(const finding& f)
         if (better)
         {
             return
-                " Together, " + told(w.what.known(), f.library)
+                " Together, " + describe(w.what.known(), f.library)
               + " match better, but by no more than another formula of what is"
                 " named may.";
         }
@@ -159,7 +159,7 @@ string whatMayBeAdded(const finding& f)
 bool mayBeTogether(const finding& f)
 {
     std::vector<int> both;
-    for (const weighed& w : f.alternatives)
+    for (const scored& w : f.alternatives)
     {
         if (w.what.mechanisms.size() == 1)
         {
@@ -170,7 +170,7 @@ bool mayBeTogether(const finding& f)
     {
         return false;
     }
-    for (const weighed& w : f.rivals)
+    for (const scored& w : f.rivals)
     {
         const auto has = [&w](const int m)
         {
@@ -193,7 +193,7 @@ string strengthsInWords(const finding& f)
     if (f.verdict == verdictKind::set || f.partly)
     {
         before =
-            ". As fitted with " + told(f.best().what, f.library)
+            ". As fitted with " + describe(f.best().what, f.library)
           + ": strength of ";
     }
     for (const foundStrength& s : f.strengths)
@@ -238,8 +238,8 @@ string whatIsStillOff(const finding& f)
     {
         if (h.use == purpose::validation && h.squareAfter > matchLimit(h))
         {
-            os  << " It does not yet match " << told(h).c_str() << ": mean square "
-                << h.squareAfter << ", a match is 1.";
+            os  << " It does not yet match " << describe(h).c_str()
+                << ": mean square " << h.squareAfter << ", a match is 1.";
         }
     }
     return os.str();
@@ -259,7 +259,7 @@ string whatCouldNotBeAsked(const finding& f)
 string whatWinsWithout(const finding& f)
 {
     string words;
-    for (const weighed& one : f.alternatives)
+    for (const scored& one : f.alternatives)
     {
         wordList channels;
         for (const winner& w : f.winners)
@@ -275,7 +275,7 @@ string whatWinsWithout(const finding& f)
             words +=
                 (words.empty() ? " Without " : "; without ")
               + inWords(channels, "or") + " a better match is "
-              + told(one.what, f.library);
+              + describe(one.what, f.library);
         }
     }
     return words + (words.empty() ? "" : ".");
@@ -321,7 +321,7 @@ string faultInWords(const finding& f)
     }
     OStringStream os;
     os.precision(2);
-    os << told(fault, at, size).c_str();
+    os << describe(fault, at, size).c_str();
     if (size.size() != 1 || !fault.hasSize())
     {
         return os.str();
@@ -372,7 +372,7 @@ string ofUnknown(const finding& f)
 
 
 //- Without what the free correction says
-string verdictTold(const finding& f)
+string describeVerdict(const finding& f)
 {
     const bool detected = f.gates.passed(gateKind::detection);
     if (f.verdict != verdictKind::none && !detected)
@@ -410,20 +410,20 @@ string verdictTold(const finding& f)
 Foam::wordList Foam::misfit::answerOf(const finding& f)
 {
     wordList names(f.names);
-    for (const weighed& w : f.alternatives)
+    for (const scored& w : f.alternatives)
     {
         // As where one is named, names are of mechanisms and faults
-        names.append(word(told(w.what.known(), f.library), false));
+        names.append(word(describe(w.what.known(), f.library), false));
     }
     return names;
 }
 
 
-Foam::string Foam::misfit::told(const finding& f)
+Foam::string Foam::misfit::describe(const finding& f)
 {
     const correctionFound& c = f.correction;
     return
-        c.named ? "Left out, and in no candidate: " + told(c)
-      : verdictTold(f) + whatCouldNotBeAsked(f)
-      + (c.asked ? ' ' + told(c) : string());
+        c.named ? "Left out, and in no candidate: " + describe(c)
+      : describeVerdict(f) + whatCouldNotBeAsked(f)
+      + (c.asked ? ' ' + describe(c) : string());
 }

@@ -14,7 +14,7 @@ using namespace Foam;
 using namespace Foam::misfit;
 
 //- What a fault does, after the name of its channel. u: to be read; unit: with a blank
-void tell(Ostream& os, const sensorFault& f, const vec& u, const char* unit)
+void print(Ostream& os, const sensorFault& f, const vec& u, const char* unit)
 {
     const auto way = [&u](const char* up, const char* down)
     {
@@ -108,7 +108,7 @@ Foam::string Foam::misfit::kindOf(const sensorFault& fault)
 }
 
 
-Foam::string Foam::misfit::told(const sensorFault& fault)
+Foam::string Foam::misfit::describe(const sensorFault& fault)
 {
     const std::string kind(kindOf(fault));
     const std::string name(nameOf(fault.kind));
@@ -116,7 +116,7 @@ Foam::string Foam::misfit::told(const sensorFault& fault)
 }
 
 
-Foam::string Foam::misfit::told
+Foam::string Foam::misfit::describe
 (
     const sensorFault& fault,
     const segment& at,
@@ -133,12 +133,12 @@ Foam::string Foam::misfit::told
     OStringStream os;
     os.precision(7);
     os << fault.channel.c_str();
-    tell(os, fault, u, unit.c_str());
+    print(os, fault, u, unit.c_str());
     return os.str();
 }
 
 
-Foam::string Foam::misfit::told
+Foam::string Foam::misfit::describe
 (
     const hypothesis& h,
     const wordList& mechanisms
@@ -148,7 +148,7 @@ Foam::string Foam::misfit::told
     {
         return "unknown";
     }
-    string words(h.fault ? told(*h.fault) : string());
+    string words(h.fault ? describe(*h.fault) : string());
     for (const int m : h.mechanisms)
     {
         words += (words.empty() ? "" : " and ") + mechanisms[m];
@@ -183,7 +183,7 @@ Foam::string Foam::misfit::phaseOf
 }
 
 
-Foam::string Foam::misfit::told(const place& p, const stacked& data)
+Foam::string Foam::misfit::describe(const place& p, const stacked& data)
 {
     const window& w = p.where;
     const segment& s = data.segments[w.segment];
@@ -221,7 +221,7 @@ Foam::string Foam::misfit::told(const place& p, const stacked& data)
 }
 
 
-Foam::string Foam::misfit::told(const heldOut& h)
+Foam::string Foam::misfit::describe(const heldOut& h)
 {
     switch (h.what)
     {
@@ -233,7 +233,7 @@ Foam::string Foam::misfit::told(const heldOut& h)
 }
 
 
-Foam::string Foam::misfit::told(const droppedCandidate& d)
+Foam::string Foam::misfit::describe(const droppedCandidate& d)
 {
     switch (d.why)
     {
@@ -251,9 +251,9 @@ Foam::string Foam::misfit::told(const droppedCandidate& d)
 }
 
 
-Foam::string Foam::misfit::told(const failedRun& r)
+Foam::string Foam::misfit::describe(const failedRun& r)
 {
-    return told(r.state) + ": " + r.why;
+    return describe(r.state) + ": " + r.why;
 }
 
 
@@ -263,13 +263,13 @@ Foam::string Foam::misfit::adviceOf(const finding& f)
     std::vector<string> two;
     for (const hypothesis& h : a.two)
     {
-        two.push_back(told(h, f.library));
+        two.push_back(describe(h, f.library));
     }
     switch (a.what)
     {
         case advice::kind::notRun:
             return
-                "Which measurement would settle it was not weighed, since "
+                "Which measurement would decide it was not looked for, since "
               + two[0] + " was not run in the solver (refit in decision)";
         case advice::kind::measure:
         {
@@ -286,7 +286,7 @@ Foam::string Foam::misfit::adviceOf(const finding& f)
                 "The channels that are there, also the possible ones that the"
                 " dictionary names, do not tell " + two[0] + " from " + two[1]
               + ". Measure another quantity or nearer to where they act; name it in"
-                " channels without a file, and it is weighed here";
+                " channels without a file, and its use is computed here";
         case advice::kind::check:
         {
             wordList channels;

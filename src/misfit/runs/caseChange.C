@@ -156,7 +156,7 @@ Foam::string Foam::misfit::caseChange::value(const scalar number) const
 }
 
 
-Foam::string Foam::misfit::caseChange::told(const scalar number) const
+Foam::string Foam::misfit::caseChange::describe(const scalar number) const
 {
     return file_ + ' ' + name_ + " = " + value(number);
 }

@@ -85,7 +85,7 @@ word numbered(const word& family, const label i, const label j)
 } // End anonymous namespace
 
 
-Foam::string Foam::misfit::told
+Foam::string Foam::misfit::describe
 (
     const correctionElement& e,
     const scalar value

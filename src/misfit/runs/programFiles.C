@@ -84,12 +84,12 @@ Foam::string Foam::misfit::programFiles
         }
     }
 
-    string told;
+    string lines;
     for (const fileName& f : files)
     {
-        told +=
+        lines +=
             f + ' ' + std::to_string(fileSize(f)) + ' '
           + std::to_string(highResLastModified(f)) + '\n';
     }
-    return told;
+    return lines;
 }

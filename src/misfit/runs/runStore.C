@@ -31,7 +31,7 @@ const string tookLonger(" took longer than ");
 
 
 //- How it tells of a program that was killed by somebody else, perhaps by a machine
-//  without room, or told to stop
+//  without room, or asked to stop
 const char* const stoppedFromOutside[] = {" ended with 137", " ended with 143"};
 
 
@@ -86,7 +86,7 @@ string inQuotes(const fileName& path)
 
 Foam::word Foam::misfit::runStore::name(const wantedRun& run) const
 {
-    string all(template_.hash() + '\n' + run.told);
+    string all(template_.hash() + '\n' + run.description);
     for (const string& c : commands_)
     {
         all += '\n' + c;
@@ -141,7 +141,7 @@ void Foam::misfit::runStore::prepare
         writeWhole(target/failedBefore, failed);
     }
 
-    writeWhole(target/"about", run.told + '\n');
+    writeWhole(target/"about", run.description + '\n');
     string lines;
     for (const string& c : commands_)
     {
@@ -221,7 +221,7 @@ void Foam::misfit::runStore::checkSamePrograms(const List<wantedRun>& runs)
         WarningInFunction
             << "Finished runs in " << folder_ << " are used that were done before"
             << " programs or libraries changed, " << others.sortedToc().first()
-            << " for instance (told once)." << nl
+            << " for instance (said once)." << nl
             << "    Remove their folders if these compute something else now."
             << endl;
     }

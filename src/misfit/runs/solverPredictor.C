@@ -31,7 +31,7 @@ void addFunctions(const fileName& caseFolder, const dictionary& functions)
 } // End anonymous namespace
 
 
-Foam::string Foam::misfit::told(const runState& state)
+Foam::string Foam::misfit::describe(const runState& state)
 {
     // Whatever precision a case that was read has set for all streams
     OStringStream os;
@@ -133,7 +133,7 @@ Foam::misfit::solverPredictor::wanted(const runState& state) const
     OStringStream os;
     for (const auto& c : list)
     {
-        os << c.first().told(c.second()).c_str() << nl;
+        os << c.first().describe(c.second()).c_str() << nl;
     }
     measured.write(os, false);
 
@@ -294,7 +294,7 @@ Foam::misfit::solverPredictor::predict(const List<runState>& states)
         found[i] = read(states[i], runs[i]);
         if (!found[i].ok())
         {
-            Info<< "    Failed: " << told(states[i]).c_str() << ": "
+            Info<< "    Failed: " << describe(states[i]).c_str() << ": "
                 << found[i].failure.c_str() << nl << "    kept in "
                 << store_.caseOf(runs[i]).path()
                 << ": remove this folder to have it done again" << endl;
@@ -310,7 +310,7 @@ Foam::misfit::solverPredictor::digest(const List<runState>& states) const
     string all;
     for (const runState& s : states)
     {
-        all += wanted(s).told;
+        all += wanted(s).description;
     }
     return SHA1(all).digest().str();
 }
@@ -326,7 +326,7 @@ void Foam::misfit::solverPredictor::makeCase
 }
 
 
-void Foam::misfit::solverPredictor::tell
+void Foam::misfit::solverPredictor::print
 (
     const string& what,
     const List<runState>& states
@@ -343,19 +343,19 @@ void Foam::misfit::solverPredictor::tell
             rehearse();
         }
         Info<< "    " << (finished ? "done  " : "to do ")
-            << told(s).c_str() << nl;
+            << describe(s).c_str() << nl;
         left += !finished;
-        doneTold_ += finished;
-        secondsTold_ += finished ? store_.seconds(run) : 0;
+        donePrinted_ += finished;
+        secondsPrinted_ += finished ? store_.seconds(run) : 0;
     }
-    if (left && !doneTold_)
+    if (left && !donePrinted_)
     {
-        Info<< "    none is done yet: how long they take is told from the"
+        Info<< "    none is done yet: how long they take is known from the"
             << " first one on" << nl;
     }
-    if (left && doneTold_)
+    if (left && donePrinted_)
     {
-        const scalar minutes = secondsTold_/doneTold_*left/store_.jobs()/60;
+        const scalar minutes = secondsPrinted_/donePrinted_*left/store_.jobs()/60;
         Info<< "    about " << std::ceil(minutes) << " min for the " << left << " to do" << nl;
     }
     Info<< endl;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a run would show to be wrong with a case, told before it or after the first.
+// What a run would show to be wrong with a case, reported before it or after the
+// first.
 
 #include "solverPredictor.H"
 #include "fileDictionary.H"

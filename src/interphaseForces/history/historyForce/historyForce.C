@@ -73,7 +73,7 @@ void Foam::historyForce::makeExponentials(const scalar interval)
     interval_ = interval;
     fall_.clear();
     made_.clear();
-    felt_.clear();
+    weights_.clear();
 
     // Decay times from a small part of the interval to ten windows
     const scalar last = -0.5*std::log(10*window_);
@@ -87,13 +87,13 @@ void Foam::historyForce::makeExponentials(const scalar interval)
 
         fall_.append(fall);
         made_.append(mean);
-        felt_.append(weight*mean);
+        weights_.append(weight*mean);
     }
 
     // Those beyond are taken up by the last
-    if (felt_.size())
+    if (weights_.size())
     {
-        felt_.last() *= 1 + 1/(std::exp(step) - 1);
+        weights_.last() *= 1 + 1/(std::exp(step) - 1);
     }
 }
 
@@ -234,7 +234,7 @@ Foam::vector Foam::historyForce::force
     for (label i = 0; i < n; ++i)
     {
         past[i] = fall_[i]*past[i] + made_[i]*change;
-        sum += felt_[i]*past[i];
+        sum += weights_[i]*past[i];
     }
 
     return strength_*factor(state)*sum;
@@ -246,7 +246,7 @@ Foam::scalar Foam::historyForce::weight(const label intervalsAgo) const
     scalar sum = 0;
     forAll(fall_, i)
     {
-        sum += felt_[i]*made_[i]*std::pow(fall_[i], intervalsAgo - 1);
+        sum += weights_[i]*made_[i]*std::pow(fall_[i], intervalsAgo - 1);
     }
     return sum;
 }

@@ -35,7 +35,7 @@ public:
     refitted from(const scalar start)
     {
         refitting with;
-        with.expand = [](const weighed& n)
+        with.expand = [](const scored& n)
         {
             return n.best.x;
         };
@@ -51,17 +51,17 @@ public:
             at_ = x[0];
             given_ = s.calibration[0];
         };
-        with.stay = [this](weighed n)
+        with.stay = [this](scored n)
         {
             n.score = sqr(given_ + n.best.x[0] - at_);
             return n;
         };
-        with.fit = [this](weighed n)
+        with.fit = [this](scored n)
         {
             n.best.x[0] = at_ - given_;
             return n;
         };
-        weighed n;
+        scored n;
         n.best.x = vec::Constant(1, start);
         return refit(n, 6, vec::Constant(1, 1), with);
     }
@@ -70,7 +70,7 @@ public:
 } // End anonymous namespace
 
 
-TEST(misfitSettle, aSurfaceThatIsNearlyRightIsFollowed)
+TEST(misfitRefit, aSurfaceThatIsNearlyRightIsFollowed)
 {
     const refitted s(steepSolver(1.2).from(1));
     EXPECT_NEAR(s.variables[0], 0, 0.05);
@@ -78,7 +78,7 @@ TEST(misfitSettle, aSurfaceThatIsNearlyRightIsFollowed)
 }
 
 
-TEST(misfitSettle, whatGoesToAndFroTurnsBackAndEndsWhereItWasComputed)
+TEST(misfitRefit, whatGoesToAndFroTurnsBackAndEndsWhereItWasComputed)
 {
     const refitted s(steepSolver(3).from(1));
     EXPECT_LT(mag(s.variables[0]), 0.3);
@@ -88,7 +88,7 @@ TEST(misfitSettle, whatGoesToAndFroTurnsBackAndEndsWhereItWasComputed)
 }
 
 
-TEST(misfitSettle, whereTheSolverFailsOnTheWayHalfOfItIsTried)
+TEST(misfitRefit, whereTheSolverFailsOnTheWayHalfOfItIsTried)
 {
     const refitted s(steepSolver(1.8, -0.6).from(1));
     EXPECT_TRUE(s.failure.empty());
@@ -97,7 +97,7 @@ TEST(misfitSettle, whereTheSolverFailsOnTheWayHalfOfItIsTried)
 }
 
 
-TEST(misfitSettle, whereTheSolverFailsAtOnceTheFitStaysAndSaysWhy)
+TEST(misfitRefit, whereTheSolverFailsAtOnceTheFitStaysAndSaysWhy)
 {
     const refitted s(steepSolver(1, 2).from(1));
     EXPECT_EQ(s.failure, "below the limit");

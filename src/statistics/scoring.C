@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Possible explanations of a misfit, fitted and weighed in one way: the weights.
+// Possible explanations of a misfit, fitted and scored in one way: the scores.
 
 #include "hypothesis.H"
 
@@ -18,14 +18,14 @@ int sortOf(const hypothesis& h)
 
 
 //- Adds twice the logarithm of the number of hypotheses of its sort
-void addNumbers(std::vector<weighed>& list)
+void addNumbers(std::vector<scored>& list)
 {
     std::vector<int> number(5, 0);
-    for (const weighed& w : list)
+    for (const scored& w : list)
     {
         ++number[sortOf(w.what)];
     }
-    for (weighed& w : list)
+    for (scored& w : list)
     {
         w.number = 2*std::log(double(number[sortOf(w.what)]));
         w.score += w.number;
@@ -58,7 +58,7 @@ mat movedCovariance
     const covariance& known,
     const responseSurface& surface,
     const hypothesisModel& model,
-    const weighed& w
+    const scored& w
 )
 {
     const sensorFault& fault = *w.what.fault;
@@ -84,7 +84,7 @@ mat movedCovariance
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-statistics::mat statistics::weighing::ownCovariance
+statistics::mat statistics::scoring::ownCovariance
 (
     const hypothesis& h,
     const vec& f
@@ -100,7 +100,7 @@ statistics::mat statistics::weighing::ownCovariance
 
 
 statistics::mat
-statistics::weighing::modelDiscrepancy(const weighed& w) const
+statistics::scoring::modelDiscrepancy(const scored& w) const
 {
     mat c = mat::Zero(data_.size(), data_.size());
     const hypothesisModel model(this->model(w.what));
@@ -120,7 +120,7 @@ statistics::weighing::modelDiscrepancy(const weighed& w) const
 }
 
 
-statistics::mat statistics::weighing::unknownShape
+statistics::mat statistics::scoring::unknownShape
 (
     const double amplitude,
     const double length
@@ -144,12 +144,12 @@ statistics::mat statistics::weighing::unknownShape
 }
 
 
-statistics::weighed
-statistics::weighing::weighUnknown(const weighed& base) const
+statistics::scored
+statistics::scoring::scoreUnknown(const scored& base) const
 {
     hypothesis h(base.what);
     h.unknown = true;
-    weighed best;
+    scored best;
     for (const double length : {0.03, 0.1, 0.3})
     {
         for (double amplitude = 0.01; amplitude < 1.5; amplitude *= 2)
@@ -158,7 +158,7 @@ statistics::weighing::weighUnknown(const weighed& base) const
             (
                 base.covariance + unknownShape(amplitude, length)
             );
-            const weighed w(quickly(h, white));
+            const scored w(withBaseCovariance(h, white));
             if (w.score < best.score)
             {
                 best = w;
@@ -175,21 +175,21 @@ statistics::weighing::weighUnknown(const weighed& base) const
 }
 
 
-void statistics::weighing::addPartly(std::vector<weighed>& list) const
+void statistics::scoring::addPartly(std::vector<scored>& list) const
 {
-    std::vector<weighed> partly;
-    for (const weighed& w : list)
+    std::vector<scored> partly;
+    for (const scored& w : list)
     {
         if (w.what.mechanisms.size() && partly.size() < 4)
         {
-            partly.push_back(weighUnknown(w));
+            partly.push_back(scoreUnknown(w));
         }
     }
-    for (const weighed& w : list)
+    for (const scored& w : list)
     {
         if (w.what.fault && w.what.fault->kind == faultKind::swapped)
         {
-            partly.push_back(weighUnknown(thoroughly(w)));
+            partly.push_back(scoreUnknown(withOwnCovariance(w)));
             break;
         }
     }
@@ -199,7 +199,7 @@ void statistics::weighing::addPartly(std::vector<weighed>& list) const
 
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
-statistics::weighing::weighing
+statistics::scoring::scoring
 (
     const stacked& data,
     const responseSurface& surface,
@@ -222,13 +222,13 @@ statistics::weighing::weighing
 
 // * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
 
-statistics::weighed statistics::weighing::quickly
+statistics::scored statistics::scoring::withBaseCovariance
 (
     const hypothesis& h,
     const whitener& white
 ) const
 {
-    weighed w;
+    scored w;
     w.what = h;
     w.best = fit(model(h), data_.y, white);
     w.score =
@@ -238,23 +238,24 @@ statistics::weighed statistics::weighing::quickly
 }
 
 
-statistics::weighed statistics::weighing::base() const
+statistics::scored statistics::scoring::base() const
 {
     const vec atMean = surface_(bounds_.mean);
-    return thoroughly(quickly(hypothesis(), whitener(covariance_.at(atMean))));
+    const whitener white(covariance_.at(atMean));
+    return withOwnCovariance(withBaseCovariance(hypothesis(), white));
 }
 
 
-statistics::weighed
-statistics::weighing::thoroughly(const weighed& quick) const
+statistics::scored
+statistics::scoring::withOwnCovariance(const scored& first) const
 {
-    weighed w(quick);
+    scored w(first);
     if (w.what.unknown)
     {
         hypothesis known(w.what);
         known.unknown = false;
-        const weighed start(quickly(known, whitener(quick.covariance)));
-        w = weighUnknown(thoroughly(start));
+        const scored start(withBaseCovariance(known, whitener(first.covariance)));
+        w = scoreUnknown(withOwnCovariance(start));
     }
     else
     {
@@ -268,19 +269,19 @@ statistics::weighing::thoroughly(const weighed& quick) const
                 )
               : ownCovariance(w.what, w.best.f);
             const mat c = own + modelDiscrepancy(w);
-            w = quickly(quick.what, whitener(c));
+            w = withBaseCovariance(first.what, whitener(c));
             w.covariance = c;
         }
     }
-    w.number = quick.number;
+    w.number = first.number;
     w.score += w.number;
     return w;
 }
 
 
-statistics::weighed statistics::weighing::where(const weighed& w) const
+statistics::scored statistics::scoring::where(const scored& w) const
 {
-    weighed there(w);
+    scored there(w);
     if (!w.what.unknown)
     {
         const mat own =
@@ -293,13 +294,13 @@ statistics::weighed statistics::weighing::where(const weighed& w) const
 }
 
 
-statistics::weighed statistics::weighing::where
+statistics::scored statistics::scoring::where
 (
-    const weighed& w,
+    const scored& w,
     const whitener& white
 ) const
 {
-    weighed there(w);
+    scored there(w);
     there.best = unfitted(model(w.what), data_.y, white, w.best.x);
     there.score =
         there.best.objective + white.logDeterminant()
@@ -308,13 +309,13 @@ statistics::weighed statistics::weighing::where
 }
 
 
-statistics::weighed statistics::weighing::again
+statistics::scored statistics::scoring::again
 (
-    const weighed& w,
+    const scored& w,
     const whitener& white
 ) const
 {
-    weighed next(quickly(w.what, white));
+    scored next(withBaseCovariance(w.what, white));
     next.covariance = w.covariance;
     next.number = w.number;
     next.score += w.number;
@@ -322,7 +323,7 @@ statistics::weighed statistics::weighing::again
 }
 
 
-std::vector<statistics::weighed> statistics::weighing::all
+std::vector<statistics::scored> statistics::scoring::all
 (
     const std::vector<int>& mechanisms,
     const std::vector<sensorFault>& faults,
@@ -330,20 +331,20 @@ std::vector<statistics::weighed> statistics::weighing::all
 ) const
 {
     // The others start from the base with its own covariance
-    const weighed none(base());
+    const scored none(base());
     const whitener white(none.covariance);
 
-    std::vector<weighed> list;
-    list.push_back(quickly(hypothesis(), white));
+    std::vector<scored> list;
+    list.push_back(withBaseCovariance(hypothesis(), white));
     for (int i = 0; i < count(mechanisms); ++i)
     {
         hypothesis h;
         h.mechanisms = {mechanisms[i]};
-        list.push_back(quickly(h, white));
+        list.push_back(withBaseCovariance(h, white));
         for (int j = i + 1; pairs && j < count(mechanisms); ++j)
         {
             h.mechanisms = {mechanisms[i], mechanisms[j]};
-            list.push_back(quickly(h, white));
+            list.push_back(withBaseCovariance(h, white));
         }
     }
     for (const sensorFault& fault : faults)
@@ -351,37 +352,37 @@ std::vector<statistics::weighed> statistics::weighing::all
         hypothesis h;
         h.fault = fault;
         const vec scales = fault.noiseScales(data_);
-        weighed w
+        scored w
         (
             (scales.array() == 1).all()
-          ? quickly(h, white)
-          : quickly(h, whitener(inItsUnit(none.covariance, scales)))
+          ? withBaseCovariance(h, white)
+          : withBaseCovariance(h, whitener(inItsUnit(none.covariance, scales)))
         );
         if (isMoved(h))
         {
             const mat own =
                 movedCovariance(data_, covariance_, surface_, model(h), w);
-            w = quickly(h, whitener(own));
+            w = withBaseCovariance(h, whitener(own));
         }
         list.push_back(w);
     }
-    list.push_back(weighUnknown(none));
+    list.push_back(scoreUnknown(none));
     addNumbers(list);
     sortByScore(list);
 
     // The best, the base and each mechanism alone, with their own covariance
     const double limit = list.front().score + 30;
-    int thorough = 0;
-    for (weighed& w : list)
+    int withOwn = 0;
+    for (scored& w : list)
     {
         if (w.what.unknown)
         {
             continue;
         }
         const bool single = w.what.mechanisms.size() == 1;
-        if ((w.score < limit && thorough++ < 12) || single || w.what.isNone())
+        if ((w.score < limit && withOwn++ < 12) || single || w.what.isNone())
         {
-            w = thoroughly(w);
+            w = withOwnCovariance(w);
         }
         else
         {
@@ -397,23 +398,23 @@ std::vector<statistics::weighed> statistics::weighing::all
 
 void statistics::setProbabilities
 (
-    std::vector<weighed>& list,
+    std::vector<scored>& list,
     const double temperature
 )
 {
     double least = large;
-    for (const weighed& w : list)
+    for (const scored& w : list)
     {
         least = std::min(least, w.score);
     }
     double sum = 0;
-    for (weighed& w : list)
+    for (scored& w : list)
     {
         w.probability =
             std::exp(-std::min(0.5*(w.score - least)/temperature, 700.0));
         sum += w.probability;
     }
-    for (weighed& w : list)
+    for (scored& w : list)
     {
         w.probability /= sum;
     }

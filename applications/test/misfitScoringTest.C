@@ -22,14 +22,19 @@ vec number(const scalar a)
 
 
 //- The best explanation of recorded samples
-std::vector<weighed> explain(world& w, const statistics::responseSurface& surface, const vec& y)
+std::vector<scored> explain
+(
+    world& w,
+    const statistics::responseSurface& surface,
+    const vec& y
+)
 {
     w.data.y = y;
     covariance c(w.data, 0.005);
     c.addSpread("between the runs", surface.leftOut(), 1);
-    std::vector<weighed> list
+    std::vector<scored> list
     (
-        weighing(w.data, surface, w.bounds, c).all
+        scoring(w.data, surface, w.bounds, c).all
         (
             {0, 1, 2, 3, 4},
             possibleFaults
@@ -63,7 +68,7 @@ vec drawn(const world& w, std::mt19937& generator)
 } // End anonymous namespace
 
 
-TEST(misfitWeighing, aLateRecorderIsTakenForThatAndNotForItsChannels)
+TEST(misfitScoring, aLateRecorderIsTakenForThatAndNotForItsChannels)
 {
     world w(20);
     w.data.segments[0].recorder = w.data.segments[1].recorder = "logger";
@@ -73,13 +78,16 @@ TEST(misfitWeighing, aLateRecorderIsTakenForThatAndNotForItsChannels)
     (
         possibleFaults(w.data, {faultKind::clock})
     );
-    const std::vector<weighed> list(explain(w, surface, clocks[0](w.data, f, number(0.15))));
+    const std::vector<scored> list
+    (
+        explain(w, surface, clocks[0](w.data, f, number(0.15)))
+    );
     ASSERT_TRUE(list.front().what.fault.has_value());
-    EXPECT_EQ(told(*list.front().what.fault), "clock of logger");
+    EXPECT_EQ(describe(*list.front().what.fault), "clock of logger");
 }
 
 
-TEST(misfitWeighing, numbersAloneNameAMechanism)
+TEST(misfitScoring, numbersAloneNameAMechanism)
 {
     // One parameter and two mechanisms, each with its own effect on six numbers
     static constexpr label n = 6;
@@ -117,9 +125,9 @@ TEST(misfitWeighing, numbersAloneNameAMechanism)
     }
     const statistics::responseSurface surface(x, y, bounds.mean, vec(vec::Ones(3)));
     const covariance known(data, 0);
-    const std::vector<weighed> list
+    const std::vector<scored> list
     (
-        weighing(data, surface, bounds, known).all
+        scoring(data, surface, bounds, known).all
         (
             {0, 1},
             possibleFaults(data, {faultKind::gain}),
@@ -128,14 +136,14 @@ TEST(misfitWeighing, numbersAloneNameAMechanism)
     );
     EXPECT_EQ(list.front().what.mechanisms, std::vector<int>({0}));
     EXPECT_NEAR(list.front().best.x[1], 0.8, 0.1);
-    for (const weighed& w : list)
+    for (const scored& w : list)
     {
         EXPECT_TRUE(std::isfinite(w.score));
     }
 }
 
 
-TEST(misfitWeighing, slopesOfAFaultyModelAreDifferences)
+TEST(misfitScoring, slopesOfAFaultyModelAreDifferences)
 {
     world w(20);
     w.data.y = w(w.bounds.mean);
@@ -156,13 +164,13 @@ TEST(misfitWeighing, slopesOfAFaultyModelAreDifferences)
             (
                 ((model(beside) - model(x))/1e-6 - slopes.col(i)).norm(),
                 1e-3*(1 + slopes.col(i).norm())
-            ) << told(fault) << ' ' << i;
+            ) << describe(fault) << ' ' << i;
         }
     }
 }
 
 
-TEST(misfitWeighing, aMistunedModelIsNotTakenForMissingPhysics)
+TEST(misfitScoring, aMistunedModelIsNotTakenForMissingPhysics)
 {
     world w(20);
     const statistics::responseSurface surface(w.ensembleSurface(120, 2));
@@ -180,7 +188,7 @@ TEST(misfitWeighing, aMistunedModelIsNotTakenForMissingPhysics)
 }
 
 
-TEST(misfitWeighing, eachMechanismIsGivenTheMostWeightAlthoughItsFormulaDiffers)
+TEST(misfitScoring, eachMechanismIsGivenTheMostWeightAlthoughItsFormulaDiffers)
 {
     world w(20);
     const statistics::responseSurface surface(w.ensembleSurface(120, 2));
@@ -202,7 +210,7 @@ TEST(misfitWeighing, eachMechanismIsGivenTheMostWeightAlthoughItsFormulaDiffers)
             (
                 "%s taken for %s\n",
                 world::mechanism(m).c_str(),
-                list[0].what.fault ? told(*list[0].what.fault).c_str()
+                list[0].what.fault ? describe(*list[0].what.fault).c_str()
               : list[0].what.unknown ? "unknown"
               : list[0].what.mechanisms.size()
               ? world::mechanism(list[0].what.mechanisms[0]).c_str() : "none"
@@ -214,7 +222,7 @@ TEST(misfitWeighing, eachMechanismIsGivenTheMostWeightAlthoughItsFormulaDiffers)
 }
 
 
-TEST(misfitWeighing, aFaultySensorIsNotTakenForPhysics)
+TEST(misfitScoring, aFaultySensorIsNotTakenForPhysics)
 {
     world w(20);
     const statistics::responseSurface surface(w.ensembleSurface(120, 2));
@@ -248,7 +256,7 @@ TEST(misfitWeighing, aFaultySensorIsNotTakenForPhysics)
 }
 
 
-TEST(misfitWeighing, whatIsNotInTheLibraryIsUnknown)
+TEST(misfitScoring, whatIsNotInTheLibraryIsUnknown)
 {
     world w(20);
     const statistics::responseSurface surface(w.ensembleSurface(120, 2));
@@ -274,7 +282,7 @@ TEST(misfitWeighing, whatIsNotInTheLibraryIsUnknown)
 }
 
 
-TEST(misfitWeighing, exchangedChannelsTakeWithThemWhatTheSimulationIsUncertainBy)
+TEST(misfitScoring, exchangedChannelsTakeWithThemWhatTheSimulationIsUncertainBy)
 {
     // At P2 the simulation is off by a wave that another mesh shows, at P1 it is sure.
     // Each of the two has the record of the other
@@ -295,9 +303,9 @@ TEST(misfitWeighing, exchangedChannelsTakeWithThemWhatTheSimulationIsUncertainBy
     covariance c(w.data, 0.005);
     c.addSpread("between the runs", surface.leftOut(), 1);
     c.addDifference("mesh", wave);
-    const std::vector<weighed> list
+    const std::vector<scored> list
     (
-        weighing(w.data, surface, w.bounds, c).all
+        scoring(w.data, surface, w.bounds, c).all
         (
             {0, 1, 2, 3, 4},
             possibleFaults(w.data, {faultKind::swapped, faultKind::gain}),
@@ -305,8 +313,8 @@ TEST(misfitWeighing, exchangedChannelsTakeWithThemWhatTheSimulationIsUncertainBy
         )
     );
     ASSERT_TRUE(list.front().what.fault.has_value());
-    EXPECT_EQ(told(*list.front().what.fault), "swapped of P1 with P2");
-    for (const weighed& other : list)
+    EXPECT_EQ(describe(*list.front().what.fault), "swapped of P1 with P2");
+    for (const scored& other : list)
     {
         if (!other.what.fault || !(*other.what.fault == exchanged))
         {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the channels can see of an effect, with all that is uncertain.
 
-#include "sight.H"
+#include "detectability.H"
 
 #include <cmath>
 
-Foam::misfit::sight::sight
+Foam::misfit::detectability::detectability
 (
     concealedSide& library,
     const fileName& caseFolder
@@ -21,7 +21,7 @@ Foam::misfit::sight::sight
 
 
 Foam::misfit::vec
-Foam::misfit::sight::sampled(const nlohmann::json& effect) const
+Foam::misfit::detectability::sampled(const nlohmann::json& effect) const
 {
     vec all(data().size());
     for (const segment& s : data().segments)
@@ -50,21 +50,21 @@ Foam::misfit::sight::sampled(const nlohmann::json& effect) const
 }
 
 
-Foam::scalar Foam::misfit::sight::overNoise(const vec& effect) const
+Foam::scalar Foam::misfit::detectability::noiseSNR(const vec& effect) const
 {
     return whitener(visible_.sensors)(effect).norm();
 }
 
 
-Foam::misfit::seenEffect
-Foam::misfit::sight::operator()(const vec& effect) const
+Foam::misfit::detectableEffect
+Foam::misfit::detectability::operator()(const vec& effect) const
 {
-    seenEffect seen;
-    seen.overNoise = overNoise(effect);
-    seen.overAll = whitener(visible_.calibrated)(effect).norm();
+    detectableEffect found;
+    found.noiseSNR = noiseSNR(effect);
+    found.SNR = whitener(visible_.calibrated)(effect).norm();
 
     // The parameters take up what they can within their priors
     const vec left = visible_.all*visible_.calibrated.ldlt().solve(effect);
-    seen.places = statistics::stretches(data(), left, visible_.all, beyond_);
-    return seen;
+    found.places = statistics::stretches(data(), left, visible_.all, beyond_);
+    return found;
 }
