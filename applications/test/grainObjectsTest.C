@@ -242,7 +242,8 @@ TEST_F(tank, theMeanVelocityOfTheWholeBedIsByMassAndOverNetErosionAlsoOfARunThat
     {
         grains_.grains.mass[i] = i % 2 ? 1.5 : 0.5;
     }
-    const auto look = [&](functionObjects::bedErosion& bed, const scalar U, const scalar d3)
+    const auto sample =
+        [&](functionObjects::bedErosion& bed, const scalar U, const scalar d3)
     {
         forAll(grains_.grains.U, i)
         {
@@ -371,7 +372,7 @@ TEST_F(tank, whatIsKeptForARestartIsGatheredWhereATimeIsWrittenNotAtEachLook)
     };
     // No number of few digits
     box_.time().setDeltaT(1.0/3);
-    const auto look = [&]()
+    const auto sample = [&]()
     {
         ++box_.time();
         front.execute();

@@ -153,7 +153,7 @@ TEST(misfitObservers, whatAnyRunCannotHaveIsToldBeforeTheFirst)
     const fileName runs(c.folder()/"misfit"/"runs");
 
     // In the file that a person mends, not in a copy
-    const std::string describe(said("a/lift/model", "a/lift/modle"));
+    const std::string message(said("a/lift/model", "a/lift/modle"));
     EXPECT_NE(message.find(c.folder()/"constant/model"), std::string::npos)
         << message;
     EXPECT_NE(message.find("no entry a/lift/modle"), std::string::npos) << message;
@@ -221,8 +221,8 @@ TEST(misfitObservers, otherWaterInAnotherMeshIsToldOfOnce)
             [&]() { p.predict.predict({withSlope(2), finer, finer}); }
         );
     };
-    EXPECT_EQ(describe("0.301").find("more water"), std::string::npos);
-    const std::string more(describe("0.306"));
+    EXPECT_EQ(message("0.301").find("more water"), std::string::npos);
+    const std::string more(message("0.306"));
     const auto first = more.find("2 % more water");
     EXPECT_NE(first, std::string::npos) << more;
     EXPECT_EQ(more.find("more water", first + 20), std::string::npos) << more;

@@ -126,11 +126,11 @@ TEST(misfitRuns, runsOfOtherProgramsAreNotUsedWithoutAWord)
         );
     };
     const char* changed = "libraries changed";
-    EXPECT_EQ(describe().find(changed), std::string::npos);
-    EXPECT_EQ(describe().find(changed), std::string::npos);
+    EXPECT_EQ(message().find(changed), std::string::npos);
+    EXPECT_EQ(message().find(changed), std::string::npos);
     c.write("lib/libmine.so", "two");
-    EXPECT_EQ(describe(3).find(changed), std::string::npos);
-    EXPECT_NE(describe().find(changed), std::string::npos);
+    EXPECT_EQ(message(3).find(changed), std::string::npos);
+    EXPECT_NE(message().find(changed), std::string::npos);
     setEnv("FOAM_USER_LIBBIN", before, true);
 }
 
@@ -238,7 +238,7 @@ TEST(misfitRuns, aCaseThatIsEditedMeanwhileIsNotRun)
         f({withSlope(2)});
         c.write("constant/script", before + "run 1\n");
 
-        const std::string describe(refusal([&]() { f({withSlope(3)}); }));
+        const std::string message(refusal([&]() { f({withSlope(3)}); }));
         EXPECT_NE(message.find("was changed"), std::string::npos) << message;
         EXPECT_NE(message.find("constant/script"), std::string::npos) << message;
         EXPECT_EQ(message.find("constant/model"), std::string::npos) << message;

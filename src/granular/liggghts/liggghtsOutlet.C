@@ -166,7 +166,7 @@ void Foam::liggghtsPhase::warnOfVanished
     const lostGrainFinder::seen& first
 )
 {
-    toldOfVanished_ = true;
+    warnedOfVanished_ = true;
 
     WarningInFunction
         << n << " grains (said once) are gone by time "
@@ -240,7 +240,7 @@ Foam::label Foam::liggghtsPhase::nVanished(const label gone)
         }
     }
 
-    if (nInside > 0 && !toldOfVanished_ && Pstream::master())
+    if (nInside > 0 && !warnedOfVanished_ && Pstream::master())
     {
         warnOfVanished(nInside, firstInside);
     }

@@ -84,7 +84,7 @@ Foam::liggghtsPhase::liggghtsPhase
     nInserted_(0),
     nEntered_(0),
     nLeft_(0),
-    toldOfVanished_(false),
+    warnedOfVanished_(false),
     movingGroups_(0)
 {
     Info<< "Grains: LIGGGHTS" << endl;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How sure the verdict is.
 
-#include "gates.H"
+#include "heldOutGates.H"
 #include "verdict.H"
 
 #include <algorithm>

@@ -16,7 +16,7 @@ vec toVec(const scalarList& list)
 }
 
 
-segment describe(const channel& c, const label first)
+segment segmentOf(const channel& c, const label first)
 {
     segment s;
     s.name = c.name();
@@ -69,7 +69,7 @@ stacked possible(const recordings& all, const word& experiment)
         const scalar to = given ? c.interval().second() : last;
         if (wanted && to > from)
         {
-            segment s(describe(c, n));
+            segment s(segmentOf(c, n));
             s.size = 40;
             s.x = vec::LinSpaced(s.size, from, to);
             data.segments.push_back(s);
@@ -123,7 +123,7 @@ Foam::misfit::stacked Foam::misfit::stack
     label n = 0;
     for (const label i : channels)
     {
-        data.segments.push_back(describe(all.channels()[i], n));
+        data.segments.push_back(segmentOf(all.channels()[i], n));
         n += all.channels()[i].size();
     }
     data.y.resize(n);

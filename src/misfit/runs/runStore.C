@@ -215,9 +215,9 @@ void Foam::misfit::runStore::checkSamePrograms(const List<wantedRun>& runs)
         }
     }
 
-    if (others.size() && !toldOfPrograms_)
+    if (others.size() && !warnedOfPrograms_)
     {
-        toldOfPrograms_ = true;
+        warnedOfPrograms_ = true;
         WarningInFunction
             << "Finished runs in " << folder_ << " are used that were done before"
             << " programs or libraries changed, " << others.sortedToc().first()
@@ -282,7 +282,7 @@ Foam::misfit::runStore::runStore
     ),
     timeLimit_(dict.getOrDefault<label>("timeLimit", 86400)),
     lock_(-1),
-    toldOfPrograms_(false)
+    warnedOfPrograms_(false)
 {
     if (commands_.empty() || ranks_ < 1 || jobs_ < 1 || timeLimit_ < 1)
     {

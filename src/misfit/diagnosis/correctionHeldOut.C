@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a free correction leaves, and whether it holds where it was not fitted.
+
+#include "correctionFitter.H"
+#include "detect.H"
+
+Foam::misfit::runState Foam::misfit::correctionFitter::inExperiment
+(
+    const word& experiment,
+    const correctionFit& f,
+    const dimensionlessLaw* followed,
+    const samples& before
+) const
+{
+    vec x = f.variables;
+    if (followed)
+    {
+        const mat there(combinationOf(*followed, elements(), before.met));
+        x.tail(elements().size()) =
+            there*f.explained.best.x.tail(there.cols());
+    }
+    return s_.state(experiment, x);
+}
+
+
+bool Foam::misfit::correctionFitter::holdsIn
+(
+    const observed& other,
+    const correctionFit& f,
+    const dimensionlessLaw* law,
+    const covariance& known
+)
+{
+    // A push that follows the flow is another one where the flow is another
+    const bool follows = law && law->family == "push";
+    runState base(s_.state(other.experiment, atBase_));
+    base.noting = follows;
+    const samples before(s_.means(List<runState>(1, base)).first());
+    if (!before.ok())
+    {
+        return false;
+    }
+    const samples after
+    (
+        s_.means
+        (
+            List<runState>
+            (
+                1,
+                inExperiment
+                (
+                    other.experiment, f, follows ? law : nullptr, before
+                )
+            )
+        ).first()
+    );
+    const bool validates = other.use == purpose::validation;
+    const stacked& recorded = validates ? other.validation : other.test;
+    if (!after.ok() || !recorded.size())
+    {
+        return false;
+    }
+    found_.held.append
+    (
+        compared
+        (
+            heldOut::part::experiment, other.experiment, other.use, recorded,
+            validates ? before.validation : before.test,
+            validates ? after.validation : after.test, known, s_.set().adequacy
+        )
+    );
+    const heldOut& h = found_.held.last();
+    return h.squareAfter < max(0.5*(h.squareBefore + 1), matchLimit(h));
+}
+
+
+void Foam::misfit::correctionFitter::test
+(
+    const correctionFit& f,
+    const std::map<word, covariance>& known
+)
+{
+    const dimensionlessLaw* law =
+        found_.explained ? &found_.laws.first().law : nullptr;
+    const settings& set = s_.set();
+    found_.after = f.explained.best.f;
+    found_.left = scanResidual(s_, *m_.calibration, f.explained).p;
+    found_.isEnough = found_.left >= set.adequacy;
+    const word& here = s_.data().experiment;
+    if (m_.validation->size())
+    {
+        found_.held.append
+        (
+            compared
+            (
+                heldOut::part::validation, here, purpose::validation,
+                m_.validation->data(), given_.validation, f.given.validation,
+                m_.validation->uncertainty(),
+                set.adequacy
+            )
+        );
+    }
+    const stacked& testData = s_.data().test;
+    found_.held.append
+    (
+        compared
+        (
+            heldOut::part::test, here, purpose::test, testData,
+            given_.test, f.given.test, covariance(testData, set.clockUncertainty),
+            set.adequacy
+        )
+    );
+    label asked = 0;
+    label held = 0;
+    for (label i = 1; i < s_.experiments().size(); ++i)
+    {
+        const observed& other = s_.experiments()[i];
+        const bool holds =
+            holdsIn(other, f, law, known.at(other.experiment));
+        if (other.use == purpose::validation && other.validation.size())
+        {
+            ++asked;
+            held += holds;
+        }
+    }
+    found_.transfers = asked && held == asked;
+}
+
+
+void Foam::misfit::correctionFitter::finish(const correctionFit& best)
+{
+    found_.ofSurface = best.failure.size();
+    for (const heldOut& h : found_.held)
+    {
+        const bool worse = h.squareAfter > h.squareBefore;
+        found_.holds = found_.holds && !(worse && h.use == purpose::validation);
+    }
+    found_.named =
+        found_.explained && found_.transfers && found_.holds
+     && found_.isEnough;
+}
