@@ -323,10 +323,10 @@ void writeTried(const tableCheck& check, std::ostream& os)
 {
     os << "column,kind,exact,within,meanDifference,chance,exchange\n";
     writeLine(os, "none,none", check.printed().match, ",");
-    std::map<std::pair<int, statistics::columnFaultKind>, int> told;
+    std::map<std::pair<int, statistics::columnFaultKind>, int> nWritten;
     for (const columnFault& one : check.tried())
     {
-        if (told[{one.column, one.kind}]++ < nBest)
+        if (nWritten[{one.column, one.kind}]++ < nBest)
         {
             std::ostringstream tail;
             tail << one.chance << ",\"" << describe(check, one) << '"';

@@ -70,7 +70,7 @@ std::string calibration(const finding& f)
         });
     }
     return
-        "<h2>Calibration before blame</h2>\n<p>What the base model may set by"
+        "<h2>Calibration</h2>\n<p>What the base model may set by"
         " itself was fitted first. The chance of such a misfit by accident was "
       + shortNumber(f.raw.p) + " before and is " + shortNumber(f.detection.p)
       + " after.</p>\n"
@@ -147,7 +147,7 @@ std::string describeScored(const finding& f, const wordList& names)
         }
     }
     return
-        "<h2>Explanations that were scored</h2>\n<p>"
+        "<h2>Explanations, by score</h2>\n<p>"
       + std::to_string(f.explained.all().size()) + " were fitted in the same way."
         " The score behind the best counts misfit, and each further unknown"
         " against it; 6 behind is 20 times less likely.</p>\n"
@@ -182,7 +182,7 @@ std::string gates(const finding& f)
         });
     }
     return
-        "<h2>What the answer had to pass</h2>\n"
+        "<h2>Gates: what the answer had to pass</h2>\n"
       + table({"gate", "asked", "value", "must be", ""}, rows);
 }
 

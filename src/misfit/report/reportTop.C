@@ -303,6 +303,9 @@ std::string Foam::misfit::glossary()
                 {"placebo", "whether it fits a false misfit, reversed or moved in"
                     " time, nearly as well: then it fits anything. Not moved where"
                     " held-out data confirm it"},
+                {"clock, replicates, mesh, step", "what is uncertain: the common start of"
+                    " time; runs with other packings of the grains; what a finer mesh"
+                    " and a smaller step change"},
                 {"before, front, body, tail, after", "parts of a recording: until it"
                     " arrives, until its peak, the first half of the way down, the"
                     " second, the rest"}
