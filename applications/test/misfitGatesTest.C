@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What an answer must pass before it is given: each gate, one by one.
 
+#include "saidDuring.H"
 #include "testNumber.H"
 #include "worldDiagnosis.H"
 
@@ -455,5 +456,9 @@ TEST(misfitGates, oneThatWasNeverAskedHasNotPassed)
     gateList gates;
     gates.addNothing(gateKind::degradesHeldOut);
     EXPECT_TRUE(gates.passed(gateKind::degradesHeldOut));
-    EXPECT_THROW(gates.passed(gateKind::placebo), Foam::error);
+    EXPECT_NE
+    (
+        refusal([&]{ gates.passed(gateKind::placebo); }).find("never asked"),
+        std::string::npos
+    );
 }

@@ -67,7 +67,7 @@ bool Foam::misfit::gateList::passed(const gateKind kind) const
     {
         FatalErrorInFunction
             << "The gate " << gateNames[kind] << " was never asked"
-            << abort(FatalError);
+            << exit(FatalError);
     }
     for (const gate& g : gates_)
     {
