@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the column of a published table whose numbers stand at the wrong rows.
 
+#include "tableFiles.H"
 #include "tableWords.H"
 
 #include "argList.H"
