@@ -188,7 +188,69 @@ void expectVolumesOfPoints(const char* what, const polyMesh& mesh)
     EXPECT_GT(least, -1e-9) << what;
 }
 
+
+//- Number of spheres whose cap behind one face is known, after each has been
+//  compared with what all faces give
+label nCapsAsByAllFaces(const polyMesh& mesh)
+{
+    const meshWalker walker(mesh);
+    const sphereOverlap overlap(walker);
+    label n = 0;
+
+    for
+    (
+        const point& centre : randomPoints(60, {0.4, 0.4, 0.4}, {0.6, 0.6, 0.6})
+    )
+    {
+        const label cell = cellByTetrahedra(mesh, centre);
+        const scalar radius = 0.04;
+        const sphereOverlap::cap cap(overlap.capOf(centre, radius, cell));
+
+        if (cap.known)
+        {
+            const scalarField shares
+            (
+                sharesOfSphere(overlap, cell, centre, radius)
+            );
+            const scalar share = cap.volume/volumeOf(radius);
+
+            EXPECT_NEAR(shares[cell], 1 - share, 1e-10);
+            EXPECT_NEAR(cap.behind < 0 ? 0 : shares[cap.behind], share, 1e-10);
+            n += cap.behind >= 0;
+        }
+    }
+    return n;
+}
+
 } // End anonymous namespace
+
+
+TEST(sphereOverlap, theCapBehindOneFlatFaceIsWhatAllFacesGive)
+{
+    testMesh straight(box());
+    EXPECT_GT(nCapsAsByAllFaces(straight.mesh()), 10);
+
+    testMesh leaning(box());
+    skew(leaning.mesh());
+    EXPECT_GT(nCapsAsByAllFaces(leaning.mesh()), 5);
+
+    // Spheres at cut faces are not mistaken for those at whole ones
+    testMesh refined(box());
+    refineBeyond(refined.mesh(), 0.5);
+    EXPECT_GT(nCapsAsByAllFaces(refined.mesh()), 3);
+}
+
+
+TEST(sphereOverlap, noCapIsTakenBehindAFaceThatIsNotFlat)
+{
+    testMesh test(box());
+    movePoints
+    (
+        test.mesh(),
+        [](const point& p) { return crumpled(p, 0.012); }
+    );
+    EXPECT_EQ(nCapsAsByAllFaces(test.mesh()), 0);
+}
 
 
 TEST(sphereOverlap, isTheVolumeOfRandomPointsInABox)

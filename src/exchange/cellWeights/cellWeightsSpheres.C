@@ -23,6 +23,18 @@ void Foam::cellWeights::addSphere
 )
 {
     const scalar volume = volumeOf(radius);
+    const sphereOverlap::cap cap(overlap_.capOf(centre, radius, cell));
+
+    // Most spheres are within one cell or cut by one face
+    if (cap.known)
+    {
+        add(cell, 1 - cap.volume/volume);
+        if (cap.behind >= 0)
+        {
+            add(cap.behind, cap.volume/volume);
+        }
+        return;
+    }
 
     here_.clear();
     exits_.clear();

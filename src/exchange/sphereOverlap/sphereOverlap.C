@@ -51,6 +51,7 @@ Foam::sphereOverlap::sphereOverlap(const meshWalker& walker)
     faces_(mesh_.faces()),
     points_(mesh_.points()),
     whole_(mesh_.nFaces()),
+    convex_(mesh_.nCells()),
     endless_(false, false, false),
     anyEndless_(false),
     aside_(2e-14*reach(mesh_.bounds())*vector(0.366, 0.477, 0.799))
@@ -78,6 +79,11 @@ Foam::sphereOverlap::sphereOverlap(const meshWalker& walker)
         }
     }
 
+    forAll(mesh_.cells(), cell)
+    {
+        convex_.set(cell, isConvex(cell, flat));
+    }
+
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
         for (direction k = 0; k < 3; ++k)
@@ -88,6 +94,87 @@ Foam::sphereOverlap::sphereOverlap(const meshWalker& walker)
             anyEndless_ = anyEndless_ || endless_[k];
         }
     }
+}
+
+
+bool Foam::sphereOverlap::isConvex
+(
+    const label cell,
+    const scalar tolerance
+) const
+{
+    for (const label f : mesh_.cells()[cell])
+    {
+        if (!whole_[f])
+        {
+            return false;
+        }
+
+        for (const label corner : faces_[f])
+        {
+            if (walker_.outside(points_[corner], cell) > tolerance)
+            {
+                return false;
+            }
+        }
+    }
+
+    return true;
+}
+
+
+inline Foam::sphereOverlap::planes Foam::sphereOverlap::reached
+(
+    const point& centre,
+    const scalar radius,
+    const label cell
+) const
+{
+    planes result{0, nullptr};
+
+    // Without a branch on each, which no processor could foresee
+    for (const meshWalker::side& s : walker_.sides(cell))
+    {
+        const bool reaches =
+            s.offset - (s.normal & centre) < radius + s.warp;
+
+        result.n += reaches;
+        result.last = reaches ? &s : result.last;
+    }
+
+    return result;
+}
+
+
+Foam::sphereOverlap::cap Foam::sphereOverlap::capOf
+(
+    const point& centre,
+    const scalar radius,
+    const label cell
+) const
+{
+    const planes here(reached(centre, radius, cell));
+
+    // What is behind a wall is not asked for
+    if (!here.n || (here.n == 1 && here.last->next == -1))
+    {
+        return cap{true, -1, 0};
+    }
+
+    const label behind = here.last->next;
+    const bool alone =
+        here.n == 1 && behind >= 0 && convex_[cell] && convex_[behind]
+     && reached(centre, radius, behind).n == 1;
+
+    if (!alone)
+    {
+        return cap{false, -1, 0};
+    }
+
+    const meshWalker::side& s = *here.last;
+    const scalar height = s.offset - (s.normal & (centre + aside_));
+
+    return cap{true, behind, flatFace::cap(height, radius)};
 }
 
 
