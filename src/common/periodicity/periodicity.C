@@ -12,6 +12,7 @@
 Foam::periodicity::periodicity(const polyMesh& mesh)
 :
     along_(false, false, false),
+    anywhere_(false),
     box_(mesh.bounds())
 {
     for (const polyPatch& patch : mesh.boundaryMesh())
@@ -41,11 +42,12 @@ Foam::periodicity::periodicity(const polyMesh& mesh)
     for (direction k = 0; k < 3; ++k)
     {
         reduce(along_[k], orOp<bool>());
+        anywhere_ = anywhere_ || along_[k];
     }
 }
 
 
-Foam::point Foam::periodicity::wrap(const point& p) const
+Foam::point Foam::periodicity::wrapped(const point& p) const
 {
     point result(p);
 

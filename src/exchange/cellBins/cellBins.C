@@ -153,6 +153,14 @@ Foam::label Foam::cellBins::find(const point& p) const
     const labelVector at(bin(p));
     const label i = index(at.x(), at.y(), at.z());
 
+    for (label c = start_[i]; c < start_[i + 1]; ++c)
+    {
+        if (walker_.inside(p, cells_[c]))
+        {
+            return cells_[c];
+        }
+    }
+
     scalar least = GREAT;
     label nearest = -1;
 
@@ -160,10 +168,6 @@ Foam::label Foam::cellBins::find(const point& p) const
     {
         const scalar outside = walker_.outside(p, cells_[c]);
 
-        if (outside < 0)
-        {
-            return cells_[c];
-        }
         if (outside < least)
         {
             least = outside;

@@ -45,22 +45,19 @@ struct Foam::grainExchange::phaseLists
     const UList<scalar>& mass = phase.mass();
     const UList<label>& id = phase.id();
 
-    //- What is known of grain i where its cell is
-    locatedGrain operator()(const label i, const label cell) const
+    //- Write what is known of grain i, which is in the cell, where it belongs
+    void write(locatedGrain& grain, const label i, const label cell) const
     {
-        return locatedGrain
-        {
-            images.wrap(position[i]),
-            velocity[i],
-            angularVelocity[i],
-            totalForce[i],
-            fluidForce[i],
-            radius[i],
-            mass[i],
-            cell,
-            id[i],
-            phase.mobile(i)
-        };
+        grain.position = images.wrap(position[i]);
+        grain.velocity = velocity[i];
+        grain.angularVelocity = angularVelocity[i];
+        grain.totalForce = totalForce[i];
+        grain.fluidForce = fluidForce[i];
+        grain.radius = radius[i];
+        grain.mass = mass[i];
+        grain.cell = cell;
+        grain.id = id[i];
+        grain.mobile = phase.mobile(i);
     }
 };
 
@@ -191,7 +188,7 @@ void Foam::grainExchange::collect(const granularPhase& phase)
         toRanks[rank].setSize(rank == me ? 0 : sent_[rank].size());
         forAll(toRanks[rank], j)
         {
-            toRanks[rank][j] = all(sent_[rank][j], cells_[rank][j]);
+            all.write(toRanks[rank][j], sent_[rank][j], cells_[rank][j]);
         }
     }
 
@@ -206,10 +203,10 @@ void Foam::grainExchange::collect(const granularPhase& phase)
     }
     grains_.setSize(received_.last());
 
-    // Those that stay are written once, where they belong
+    // Those that stay are written once
     forAll(sent_[me], k)
     {
-        grains_[received_[me] + k] = all(sent_[me][k], cells_[me][k]);
+        all.write(grains_[received_[me] + k], sent_[me][k], cells_[me][k]);
     }
     forAll(fromRanks, rank)
     {

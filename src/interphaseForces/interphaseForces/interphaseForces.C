@@ -544,5 +544,15 @@ void Foam::interphaseForces::sumUp(const fluidMeans& means)
     }
     reduce(taken, sumOp<vector>());
 
-    residual_ = mag(gSum(force_) - taken)/(gSum(mag(force_)) + VSMALL);
+    vector given(Zero);
+    scalar size = 0;
+    for (const vector& force : force_)
+    {
+        given += force;
+        size += mag(force);
+    }
+    reduce(given, sumOp<vector>());
+    reduce(size, sumOp<scalar>());
+
+    residual_ = mag(given - taken)/(size + VSMALL);
 }

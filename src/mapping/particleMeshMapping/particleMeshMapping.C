@@ -3,8 +3,6 @@
 
 #include "particleMeshMapping.H"
 
-#include "mathematicalConstants.H"
-
 Foam::particleMeshMapping::particleMeshMapping
 (
     const grainExchange& exchange,
@@ -18,28 +16,13 @@ Foam::particleMeshMapping::particleMeshMapping
 {}
 
 
-void Foam::particleMeshMapping::measure()
+void Foam::particleMeshMapping::set(const sizes& all)
 {
-    const List<locatedGrain>& grains = exchange_.grains();
-
-    volumes_.setSize(grains.size());
-    // Equal numbers added one by one all round the same way: in double precision
-    // 1e5 grains would be wrong by 1e-12
-    long double volumeSum = 0;
-    scalar diameterSum = 0;
-
-    forAll(grains, i)
-    {
-        const scalar radius = grains[i].radius;
-
-        volumes_[i] = 4*constant::mathematical::pi/3*pow3(radius);
-        volumeSum += volumes_[i];
-        diameterSum += volumes_[i]*2*radius;
-    }
-
-    totalVolume_ = returnReduce(scalar(volumeSum), sumOp<scalar>());
-    reduce(diameterSum, sumOp<scalar>());
-    smoothing_->setDiameter(diameterSum/max(totalVolume_, VSMALL));
+    totalVolume_ = returnReduce(scalar(all.volume), sumOp<scalar>());
+    smoothing_->setDiameter
+    (
+        returnReduce(all.diameter, sumOp<scalar>())/max(totalVolume_, VSMALL)
+    );
 }
 
 
