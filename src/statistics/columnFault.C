@@ -2,11 +2,11 @@
 
 #include "columnFault.H"
 
-#include <boost/math/distributions/binomial.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
+#include <string>
 
 namespace statistics
 {
@@ -22,14 +22,20 @@ rowSources unmoved(const int nRows)
 }
 
 
-//- That at least k of n hold, each with a chance of p
-double atLeast(const int k, const int n, const double p)
+//- That at least k hold, each with a chance of its own (Poisson binomial)
+double atLeast(const int k, const std::vector<double>& chances)
 {
-    if (k <= 0)
+    // By the number of those that hold, one after the other
+    vec p = vec::Unit(count(chances) + 1, 0);
+    for (const double one : chances)
     {
-        return 1;
+        for (int n = count(chances); n > 0; --n)
+        {
+            p[n] = (1 - one)*p[n] + one*p[n - 1];
+        }
+        p[0] *= 1 - one;
     }
-    return cdf(complement(boost::math::binomial(n, p), k - 1));
+    return p.tail(p.size() - k).sum();
 }
 
 
@@ -44,17 +50,45 @@ bool better(const columnFault& a, const columnFault& b)
 } // End anonymous namespace
 
 
+void columnFaults::checkRow(identity& law, const vec& row, const int i) const
+{
+    // The first line is that of the names
+    const std::string line = "line " + std::to_string(i + 2);
+    if (row[0] == 0)
+    {
+        throw std::invalid_argument
+        (
+            line + ": " + law.columns()[0] + " is 0, of which no difference is a"
+            " share"
+        );
+    }
+    if (!std::isfinite(law.value(row)))
+    {
+        throw std::invalid_argument
+        (
+            line + ": the formula has no value for its numbers"
+        );
+    }
+}
+
+
 columnFaults::columnFaults
 (
+    const factorialTable& factorial,
     identity& law,
     const mat& table,
     const vec& roundings,
     const double tolerance
 )
 :
+    factorial_(factorial),
     nRows_(table.rows()),
     tolerance_(tolerance)
 {
+    for (int i = 0; i < nRows_; ++i)
+    {
+        checkRow(law, table.row(i), i);
+    }
     for (int c = 0; c < table.cols(); ++c)
     {
         mat off(nRows_, nRows_);
@@ -65,7 +99,11 @@ columnFaults::columnFaults
             {
                 vec row = table.row(i);
                 row[c] = table(j, c);
-                off(i, j) = std::abs(law.value(row)/row[0] - 1);
+                const double value = law.value(row);
+                off(i, j) =
+                    std::isfinite(value) && row[0] != 0
+                  ? std::abs(value/row[0] - 1)
+                  : large;
                 holds(i, j) = law.holds(row, roundings);
             }
         }
@@ -102,45 +140,61 @@ columnFault columnFaults::asPrinted() const
 }
 
 
+std::map<unsigned, double> columnFaults::sharesThatHold(const int column) const
+{
+    std::map<unsigned, double> nPairs;
+    std::map<unsigned, double> result;
+    for (int i = 0; i < nRows_; ++i)
+    {
+        for (int j = 0; j < nRows_; ++j)
+        {
+            const unsigned factors = factorial_.differing(i, j);
+            ++nPairs[factors];
+            result[factors] += holds_[column](i, j);
+        }
+    }
+    for (auto& one : result)
+    {
+        one.second /= nPairs[one.first];
+    }
+    return result;
+}
+
+
 void columnFaults::setChances(std::vector<columnFault>& tried) const
 {
-    // Share of the numbers of other rows that would hold in a row
-    vec share(count(holds_));
+    std::vector<std::map<unsigned, double>> shares;
     for (int c = 0; c < count(holds_); ++c)
     {
-        share[c] =
-            (holds_[c].sum() - holds_[c].diagonal().sum())
-           /(nRows_*(nRows_ - 1.0));
+        shares.push_back(sharesThatHold(c));
     }
 
     for (columnFault& one : tried)
     {
-        int nMoved = 0;
+        std::vector<double> chances;
         int nHold = 0;
         for (int i = 0; i < nRows_; ++i)
         {
-            if (one.sources[i] != i)
+            const int from = one.sources[i];
+            if (from != i)
             {
-                ++nMoved;
-                nHold += holds_[one.column](i, one.sources[i]) > 0;
+                const unsigned factors = factorial_.differing(i, from);
+                chances.push_back(shares[one.column].at(factors));
+                nHold += holds_[one.column](i, from) > 0;
             }
         }
-        const double alone = atLeast(nHold, nMoved, share[one.column]);
+        const double alone = atLeast(nHold, chances);
         one.chance =
             alone < 1 ? -std::expm1(count(tried)*std::log1p(-alone)) : 1;
     }
 }
 
 
-void columnFaults::addLabels
-(
-    const factorialTable& factorial,
-    std::vector<columnFault>& result
-) const
+void columnFaults::addLabels(std::vector<columnFault>& result) const
 {
-    for (const labelArrangement& labels : factorial.arrangements())
+    for (const labelArrangement& labels : factorial_.arrangements())
     {
-        const rowSources sources = factorial.sources(labels);
+        const rowSources sources = factorial_.sources(labels);
         for (int c = 0; c < count(holds_); ++c)
         {
             columnFault one;
@@ -177,17 +231,25 @@ void columnFaults::addRows(std::vector<columnFault>& result) const
 }
 
 
-std::vector<columnFault> columnFaults::tried
-(
-    const factorialTable& factorial
-) const
+std::vector<columnFault> columnFaults::tried() const
 {
     std::vector<columnFault> result;
-    addLabels(factorial, result);
+    addLabels(result);
     addRows(result);
     setChances(result);
     std::stable_sort(result.begin(), result.end(), better);
     return result;
+}
+
+
+bool columnFaults::isLikely(const columnFault& fault, const double limit) const
+{
+    const identityMatch printed = asPrinted().match;
+    return
+        fault.match.exact > printed.exact
+     && 2*fault.match.exact > nRows_
+     && fault.match.meanDifference < printed.meanDifference
+     && fault.chance < limit;
 }
 
 

@@ -175,4 +175,15 @@ rowSources factorialTable::sources(const labelArrangement& arrangement) const
     return result;
 }
 
+
+unsigned factorialTable::differing(const int i, const int j) const
+{
+    unsigned result = 0;
+    for (int f = 0; f < count(levels_); ++f)
+    {
+        result |= unsigned(cells_[i][f] != cells_[j][f]) << f;
+    }
+    return result;
+}
+
 } // End namespace statistics

@@ -5,6 +5,8 @@
 #include <muParser.h>
 
 #include <algorithm>
+#include <cfenv>
+#include <cmath>
 #include <stdexcept>
 
 namespace statistics
@@ -27,7 +29,7 @@ identity::identity(const std::string& quantity, const std::string& formula)
         {
             formula_->DefineVar(columns_[i], &variables_[i]);
         }
-        formula_->Eval();
+        value(variables_);
     }
     catch (const mu::Parser::exception_type& wrong)
     {
@@ -57,7 +59,11 @@ identity::~identity() = default;
 double identity::value(const vec& row)
 {
     variables_ = row;
-    return formula_->Eval();
+    std::fenv_t traps;
+    std::feholdexcept(&traps);
+    const double result = formula_->Eval();
+    std::fesetenv(&traps);
+    return result;
 }
 
 
@@ -74,6 +80,10 @@ bool identity::holds(const vec& row, const vec& roundings)
             moved[i + 1] += (corner >> i & 1 ? 1 : -1)*roundings[i + 1];
         }
         const double v = value(moved);
+        if (!std::isfinite(v))
+        {
+            return false;
+        }
         least = std::min(least, v);
         most = std::max(most, v);
     }

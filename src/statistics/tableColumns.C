@@ -14,22 +14,6 @@ namespace statistics
 namespace
 {
 
-std::vector<std::string> cellsOf(std::string line)
-{
-    if (!line.empty() && line.back() == '\r')
-    {
-        line.pop_back();
-    }
-    std::istringstream is(line + ',');
-    std::vector<std::string> result;
-    for (std::string cell; std::getline(is, cell, ',');)
-    {
-        result.push_back(cell);
-    }
-    return result;
-}
-
-
 double numberOf(const std::string& cell, const std::string& place)
 {
     if (cell.empty())
@@ -61,7 +45,15 @@ std::vector<int> placesOf
         const auto at = std::find(heads.begin(), heads.end(), name);
         if (at == heads.end())
         {
-            throw std::invalid_argument("there is no column " + name);
+            std::string found;
+            for (const std::string& head : heads)
+            {
+                found += (found.empty() ? "" : ", ") + head;
+            }
+            throw std::invalid_argument
+            (
+                "there is no column " + name + "; its first line names " + found
+            );
         }
         result.push_back(at - heads.begin());
     }
@@ -69,6 +61,27 @@ std::vector<int> placesOf
 }
 
 } // End anonymous namespace
+
+
+std::vector<std::string> cellsOf(std::string line)
+{
+    if (!line.empty() && line.back() == '\r')
+    {
+        line.pop_back();
+    }
+    std::istringstream is(line + ',');
+    std::vector<std::string> result;
+    for (std::string cell; std::getline(is, cell, ',');)
+    {
+        const auto first = cell.find_first_not_of(" \t");
+        const auto last = cell.find_last_not_of(" \t");
+        result.push_back
+        (
+            first == cell.npos ? "" : cell.substr(first, last - first + 1)
+        );
+    }
+    return result;
+}
 
 
 mat readColumns(std::istream& is, const std::vector<std::string>& names)
@@ -83,6 +96,10 @@ mat readColumns(std::istream& is, const std::vector<std::string>& names)
     {
         const std::string place = "line " + std::to_string(number);
         const std::vector<std::string> cells = cellsOf(line);
+        if (cells.size() == 1 && cells[0].empty() && heads.size() > 1)
+        {
+            continue;
+        }
         if (cells.size() != heads.size())
         {
             throw std::invalid_argument

@@ -51,6 +51,7 @@ void run(const dictionary& dict)
     if
     (
         check.verdict() == tableVerdict::registration
+     && check.best().size() == 1
      && check.columnIsMoved(check.tried().front())
     )
     {

@@ -7,6 +7,7 @@
 #include "rankCorrelation.H"
 #include "tableColumns.H"
 
+#include <cmath>
 #include <fstream>
 #include <stdexcept>
 
@@ -50,6 +51,13 @@ vec readRoundings(const dictionary& dict, const wordList& columns)
     forAll(columns, i)
     {
         result[i] = dict.get<scalar>(columns[i]);
+        if (result[i] <= 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << "The rounding of " << columns[i] << " is " << result[i]
+                << "; it is half of the last printed digit, above zero"
+                << exit(FatalIOError);
+        }
     }
     return result;
 }
@@ -66,9 +74,19 @@ mat tableCheck::read(const wordList& names) const
     }
     const mat result =
         statistics::readColumns(is, {names.begin(), names.end()});
-    if (result.hasNaN())
+    for (label row = 0; row < result.rows(); ++row)
     {
-        throw std::invalid_argument("a cell that is asked for is empty");
+        for (label i = 0; i < result.cols(); ++i)
+        {
+            if (std::isnan(result(row, i)))
+            {
+                throw std::invalid_argument
+                (
+                    "column " + names[i] + " is empty in line "
+                  + std::to_string(row + 2)
+                );
+            }
+        }
     }
     return result;
 }
@@ -112,15 +130,23 @@ tableCheck::tableCheck(const dictionary& dict)
             "chance", "correlations"
         }
     );
+    if (limit_ <= 0 || limit_ > 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "chance is " << limit_ << "; it is a probability, above 0 and at"
+            << " most 1" << exit(FatalIOError);
+    }
     const statistics::columnFaults faults
     (
+        factorial_,
         law_,
         table_,
         readRoundings(dict.subDict("roundings"), columns()),
         dict.lookupOrDefault<scalar>("tolerance", 0.01)
     );
     printed_ = faults.asPrinted();
-    tried_ = faults.tried(factorial_);
+    tried_ = faults.tried();
+    likely_ = faults.isLikely(tried_.front(), limit_);
 }
 
 
@@ -151,11 +177,7 @@ tableVerdict tableCheck::verdict() const
     {
         return tableVerdict::none;
     }
-    const columnFault& first = tried_.front();
-    return
-        first.match.exact > printed_.match.exact && first.chance < limit_
-      ? tableVerdict::registration
-      : tableVerdict::unknown;
+    return likely_ ? tableVerdict::registration : tableVerdict::unknown;
 }
 
 

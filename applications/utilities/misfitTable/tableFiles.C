@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "tableFiles.H"
+#include "tableColumns.H"
 #include "tableWords.H"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -128,30 +130,32 @@ void writeCorrected
     std::ostream& os
 )
 {
-    const word& column = check.columns()[fault.column];
-    const vec numbers = check.corrected(fault);
     std::ifstream is(check.file());
-    std::string line;
-    int place = -1;
-    for (int row = -1; std::getline(is, line); ++row)
+    std::vector<std::vector<std::string>> rows;
+    for (std::string line; std::getline(is, line);)
     {
-        std::istringstream cells(line);
-        std::string cell;
-        for (int i = 0; std::getline(cells, cell, ','); ++i)
+        const auto cells = statistics::cellsOf(line);
+        if (cells.size() > 1)
         {
-            if (row < 0 && cell == column)
-            {
-                place = i;
-            }
-            os << (i ? "," : "");
-            if (row >= 0 && i == place)
-            {
-                os << numbers[row];
-            }
-            else
-            {
-                os << cell;
-            }
+            rows.push_back(cells);
+        }
+    }
+
+    // Below the names the cell as printed, to its last digit, from its row
+    const auto& names = rows.front();
+    const label column =
+        std::find(names.begin(), names.end(), check.columns()[fault.column])
+      - names.begin();
+    const auto printed = rows;
+    for (label i = 0; i < statistics::count(fault.sources); ++i)
+    {
+        rows[i + 1][column] = printed[fault.sources[i] + 1][column];
+    }
+    for (const auto& row : rows)
+    {
+        for (size_t i = 0; i < row.size(); ++i)
+        {
+            os << (i ? "," : "") << row[i];
         }
         os << '\n';
     }
