@@ -22,7 +22,7 @@ $1 == "none" {
     tellMatch("as printed")
 }
 
-# The best of each column first
+# The best of each column first, by the runs that it gives as far as digits are printed
 $2 != "labels" { next }
 
 $1 == "U" && !nOfU++ {
@@ -34,7 +34,7 @@ $1 == "U" && !nOfU++ {
 
 !($1 in told) {
     told[$1]
-    tell("atMost", "runs within 1.1 % with the best other arrangement of the labels of " $1, \
-        $4, 26)
-    tell("reported", "runs as far as digits are printed; " $1, $3)
+    tell("atMost", "runs within 1.1 % with the other arrangement of the labels of " $1 \
+        " that gives most as far as digits are printed", $4, 20)
+    tell("reported", "runs that this arrangement gives as far as digits are printed; " $1, $3)
 }
