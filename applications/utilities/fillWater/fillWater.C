@@ -6,6 +6,7 @@
 #include "fvCFD.H"
 #include "granularProperties.H"
 #include "keywords.H"
+#include "serialTool.H"
 #include "voidFraction.H"
 
 using namespace Foam;
@@ -158,7 +159,7 @@ int main(int argc, char *argv[])
         " entries of system/fillWaterDict"
     );
     argList::noParallel();
-    UPstream::initNull();
+    startSerialTool();
 
     #include "setRootCase.H"
     #include "createTime.H"

@@ -10,7 +10,7 @@
 #include "scalarField.H"
 #include "IFstream.H"
 #include "OFstream.H"
-#include "UPstream.H"
+#include "serialTool.H"
 
 #include <algorithm>
 
@@ -323,7 +323,7 @@ int main(int argc, char* argv[])
     argList::noParallel();
     argList::addArgument("dictionary");
 
-    UPstream::initNull();
+    startSerialTool();
     const argList args(argc, argv);
     const fileName file(args[1]);
 

@@ -5,7 +5,7 @@
 
 #include "argList.H"
 #include "OSspecific.H"
-#include "UPstream.H"
+#include "serialTool.H"
 
 #include <random>
 
@@ -97,7 +97,7 @@ void checkAction(const argList& args)
 int main(int argc, char* argv[])
 {
     addOptions();
-    UPstream::initNull();
+    startSerialTool();
     const argList args(argc, argv);
     checkAction(args);
     const fileName slice(args.path());

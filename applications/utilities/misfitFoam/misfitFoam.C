@@ -10,7 +10,7 @@
 #include "IOdictionary.H"
 #include "OSspecific.H"
 #include "Time.H"
-#include "UPstream.H"
+#include "serialTool.H"
 
 #include <cmath>
 
@@ -106,7 +106,7 @@ int main(int argc, char* argv[])
     argList::addOption("dict", "file", "Instead of system/misfitDict");
     argList::addBoolOption("dry-run", "List the runs and their cost only");
 
-    UPstream::initNull();
+    startSerialTool();
     const argList args(argc, argv);
     Time runTime(Time::controlDictName, args);
 

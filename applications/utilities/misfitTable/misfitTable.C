@@ -6,7 +6,7 @@
 
 #include "argList.H"
 #include "IFstream.H"
-#include "UPstream.H"
+#include "serialTool.H"
 
 #include <fstream>
 #include <stdexcept>
@@ -80,7 +80,7 @@ int main(int argc, char* argv[])
     argList::noParallel();
     argList::addArgument("dictionary");
 
-    UPstream::initNull();
+    startSerialTool();
     const argList args(argc, argv);
 
     IFstream is(args[1]);

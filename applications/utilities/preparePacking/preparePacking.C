@@ -11,7 +11,7 @@
 #include "IOdictionary.H"
 #include "argList.H"
 #include "pointIOField.H"
-#include "UPstream.H"
+#include "serialTool.H"
 #include "uniformDimensionedFields.H"
 
 namespace Foam
@@ -271,7 +271,7 @@ int main(int argc, char* argv[])
     argList::addOption("dict", "file", "Instead of system/packingDict");
 
     // OpenFOAM starts MPI, which LIGGGHTS needs, so that it also ends it
-    UPstream::initNull();
+    startSerialTool();
     const argList args(argc, argv);
     Time runTime(Time::controlDictName, args);
 
