@@ -28,7 +28,7 @@ $2 != "labels" { next }
 $1 == "U" && !nOfU++ {
     tell("atLeast", "runs whose Fr Eq 12 gives within 1.1 %; U corrected", $4, 27)
     tellMatch("corrected")
-    tell("atMost", "chance that one of all exchanges tried does so", $6, 1e-9)
+    tell("atMost", "chance that one of all exchanges tried does so", $6, 1e-6)
     next
 }
 
