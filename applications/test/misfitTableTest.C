@@ -2,6 +2,7 @@
 // Columns of a table at wrong rows: arrangements of labels, identities, chance.
 
 #include "columnFault.H"
+#include "fpeGuard.H"
 
 #include <gtest/gtest.h>
 
@@ -98,6 +99,7 @@ struct outcome
 
 outcome outcomeOf(const mat& table, const vec& digits = roundings)
 {
+    const Foam::fpeGuard guard;
     identity law("q", "x/sqrt(y)");
     const columnFaults faults(factorial, law, table, digits, 0.01);
     const columnFault best = faults.tried().front();

@@ -92,7 +92,7 @@ columnFaults::columnFaults
     for (int c = 0; c < table.cols(); ++c)
     {
         mat off(nRows_, nRows_);
-        mat holds(nRows_, nRows_);
+        decltype(holds_)::value_type holds(nRows_, nRows_);
         for (int i = 0; i < nRows_; ++i)
         {
             for (int j = 0; j < nRows_; ++j)
@@ -123,7 +123,7 @@ identityMatch columnFaults::match
     for (int i = 0; i < nRows_; ++i)
     {
         const double off = difference_[column](i, sources[i]);
-        result.exact += holds_[column](i, sources[i]) > 0;
+        result.exact += holds_[column](i, sources[i]);
         result.within += off <= tolerance_;
         result.meanDifference += off/nRows_;
     }
@@ -180,7 +180,7 @@ void columnFaults::setChances(std::vector<columnFault>& tried) const
             {
                 const unsigned factors = factorial_.differing(i, from);
                 chances.push_back(shares[one.column].at(factors));
-                nHold += holds_[one.column](i, from) > 0;
+                nHold += holds_[one.column](i, from);
             }
         }
         const double alone = atLeast(nHold, chances);
@@ -190,42 +190,44 @@ void columnFaults::setChances(std::vector<columnFault>& tried) const
 }
 
 
+void columnFaults::addToColumns
+(
+    columnFault fault,
+    std::vector<columnFault>& result
+) const
+{
+    for (fault.column = 0; fault.column < count(holds_); ++fault.column)
+    {
+        fault.match = match(fault.column, fault.sources);
+        result.push_back(fault);
+    }
+}
+
+
 void columnFaults::addLabels(std::vector<columnFault>& result) const
 {
+    columnFault fault;
+    fault.kind = columnFaultKind::labels;
     for (const labelArrangement& labels : factorial_.arrangements())
     {
-        const rowSources sources = factorial_.sources(labels);
-        for (int c = 0; c < count(holds_); ++c)
-        {
-            columnFault one;
-            one.kind = columnFaultKind::labels;
-            one.column = c;
-            one.labels = labels;
-            one.sources = sources;
-            one.match = match(c, sources);
-            result.push_back(one);
-        }
+        fault.labels = labels;
+        fault.sources = factorial_.sources(labels);
+        addToColumns(fault, result);
     }
 }
 
 
 void columnFaults::addRows(std::vector<columnFault>& result) const
 {
+    columnFault fault;
+    fault.kind = columnFaultKind::rows;
     for (int i = 0; i < nRows_; ++i)
     {
         for (int j = 0; j < i; ++j)
         {
-            rowSources sources = unmoved(nRows_);
-            std::swap(sources[i], sources[j]);
-            for (int c = 0; c < count(holds_); ++c)
-            {
-                columnFault one;
-                one.kind = columnFaultKind::rows;
-                one.column = c;
-                one.sources = sources;
-                one.match = match(c, sources);
-                result.push_back(one);
-            }
+            fault.sources = unmoved(nRows_);
+            std::swap(fault.sources[i], fault.sources[j]);
+            addToColumns(fault, result);
         }
     }
 }

@@ -6,6 +6,7 @@
 
 #include "argList.H"
 #include "IFstream.H"
+#include "fpeGuard.H"
 #include "serialTool.H"
 
 #include <fstream>
@@ -89,6 +90,9 @@ int main(int argc, char* argv[])
         FatalErrorInFunction << "Cannot read " << args[1] << exit(FatalError);
     }
     const dictionary dict(is);
+
+    // A formula without a value is told by its line
+    const fpeGuard guard;
     try
     {
         run(dict);

@@ -207,7 +207,8 @@ scalar tableCheck::fromStated(const mat& columns) const
 scalar tableCheck::columnMoved(const columnFault& fault) const
 {
     mat columns = table_;
-    columns.col(fault.column) = corrected(fault);
+    columns.col(fault.column) =
+        statistics::moved(table_.col(fault.column), fault.sources);
     return fromStated(columns);
 }
 
@@ -230,12 +231,6 @@ scalar tableCheck::othersMoved(const columnFault& fault) const
 bool tableCheck::columnIsMoved(const columnFault& fault) const
 {
     return !hasStated() || columnMoved(fault) <= othersMoved(fault);
-}
-
-
-vec tableCheck::corrected(const columnFault& fault) const
-{
-    return statistics::moved(table_.col(fault.column), fault.sources);
 }
 
 } // End namespace misfit
