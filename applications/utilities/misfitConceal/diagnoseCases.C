@@ -42,7 +42,7 @@ json rival(const finding& f, const scalar clockUncertainty)
         const scalar n = h.data.size();
         all.push_back
         ({
-            {"what", h.what},
+            {"what", describe(h)},
             {"meanSquareBefore", white(left).squaredNorm()/n},
             {"meanSquareAfter", white(vec(left - learnt(h.data))).squaredNorm()/n}
         });
