@@ -3,7 +3,7 @@
 
 #include "misfitWorld.H"
 #include "numbersAlone.H"
-#include "words.H"
+#include "worldDiagnosis.H"
 
 #include <gtest/gtest.h>
 
@@ -119,7 +119,7 @@ TEST(misfitFaults, theClockOfARecorderMovesAllItsChannels)
         possibleFaults(w.data, {faultKind::clock})
     );
     ASSERT_EQ(all.size(), n + 1);
-    EXPECT_EQ(describe(all[0]), "clock of camera");
+    expectFault(all[0], faultKind::clock, "camera");
     EXPECT_EQ
     (
         describe(all[0], w.data.segments[0], number(0.3)),
@@ -164,6 +164,6 @@ TEST(misfitFaults, aNumberAloneHasNoTimeAndNoShape)
         )
     );
     ASSERT_EQ(all.size(), 2);
-    EXPECT_EQ(describe(all[0]), "gain of n0");
-    EXPECT_EQ(describe(all[1]), "gain of n1");
+    expectFault(all[0], faultKind::gain, "n0");
+    expectFault(all[1], faultKind::gain, "n1");
 }

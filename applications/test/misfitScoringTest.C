@@ -5,7 +5,7 @@
 #include "misfitWorld.H"
 #include "numbersAlone.H"
 #include "testNumber.H"
-#include "words.H"
+#include "worldDiagnosis.H"
 
 #include <gtest/gtest.h>
 
@@ -82,8 +82,7 @@ TEST(misfitScoring, aLateRecorderIsTakenForThatAndNotForItsChannels)
     (
         explain(w, surface, clocks[0](w.data, f, number(0.15)))
     );
-    ASSERT_TRUE(list.front().what.fault.has_value());
-    EXPECT_EQ(describe(*list.front().what.fault), "clock of logger");
+    expectFault(list.front().what.fault, faultKind::clock, "logger");
 }
 
 
@@ -312,8 +311,7 @@ TEST(misfitScoring, exchangedChannelsTakeWithThemWhatTheSimulationIsUncertainBy)
             true
         )
     );
-    ASSERT_TRUE(list.front().what.fault.has_value());
-    EXPECT_EQ(describe(*list.front().what.fault), "swapped of P1 with P2");
+    expectFault(list.front().what.fault, faultKind::swapped, "P1", "P2");
     for (const scored& other : list)
     {
         if (!other.what.fault || !(*other.what.fault == exchanged))

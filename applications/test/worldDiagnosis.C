@@ -78,6 +78,47 @@ bool Foam::misfit::passes(const finding& f, const word& name)
 }
 
 
+void Foam::misfit::expectFault
+(
+    const std::optional<sensorFault>& fault,
+    const faultKind kind,
+    const std::string& channel,
+    const std::string& partner
+)
+{
+    ASSERT_TRUE(fault.has_value());
+    EXPECT_EQ(fault->kind, kind);
+    EXPECT_EQ(fault->channel, channel);
+    EXPECT_EQ(fault->partner, partner);
+}
+
+
+bool Foam::misfit::hasOneOf(const hypothesis& h, const std::vector<int>& mechanisms)
+{
+    for (const int m : mechanisms)
+    {
+        if (statistics::contains(h.mechanisms, m))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+bool Foam::misfit::hasAll(const hypothesis& h, const std::vector<int>& mechanisms)
+{
+    for (const int m : mechanisms)
+    {
+        if (!statistics::contains(h.mechanisms, m))
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+
 void Foam::misfit::expectAnswer
 (
     const finding& f,
