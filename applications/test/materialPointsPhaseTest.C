@@ -88,12 +88,24 @@ scalar furthest(const granularPhase& a, const granularPhase& b)
 }
 
 
+//- A second body on the first, in contact with it; the end of the settings of
+//  one closes its dictionary
+const string secondBody
+(
+    "contact { friction 0.3; } bodies { block { " + sand
+  + " walls { frictions { zMin 0.1; } } region { box ((0 0 0.2) (0.1 1 0.3)); }"
+    " } }"
+);
+
+
 //- Stop after some intervals, go on from the state, and be where one is that
 //  never stopped
-void expectRestartIsExact()
+void expectRestartIsExact(const string& rest = "")
 {
+    const string here("box ((0 0 0) (0.2 1 0.2));");
     testMesh box(slice());
-    auto whole = points(box.mesh());
+    auto whole = points(box.mesh(), here, rest);
+    const label n = whole->nTotal();
     for (label i = 0; i < 7; ++i)
     {
         whole->advance();
@@ -105,7 +117,7 @@ void expectRestartIsExact()
     ASSERT_TRUE(whole->writeState(folder));
     whole->checkOut();
 
-    auto second = points(box.mesh());
+    auto second = points(box.mesh(), here, rest);
     EXPECT_TRUE(second->restarted());
     EXPECT_EQ(furthest(*whole, *second), 0);
 
@@ -115,7 +127,7 @@ void expectRestartIsExact()
         second->advance();
     }
     EXPECT_EQ(furthest(*whole, *second), 0);
-    EXPECT_EQ(whole->nTotal(), 400);
+    EXPECT_EQ(whole->nTotal(), n);
 }
 
 } // End anonymous namespace
@@ -194,9 +206,55 @@ TEST(materialPointsPhase, aRestartIsExactToTheLastBit)
 }
 
 
+TEST(materialPointsPhase, aRestartOfBodiesInContactIsExactToTheLastBit)
+{
+    expectRestartIsExact(secondBody);
+}
+
+
 TEST(ParallelMaterialPointsPhase, aRestartIsExactToTheLastBit)
 {
     expectRestartIsExact();
+    expectRestartIsExact(secondBody);
+}
+
+
+TEST(materialPointsPhase, wallsHaveAFrictionForABody)
+{
+    // Two blocks fly along a floor that is rough to the first alone
+    testMesh box(slice());
+    const string moving(sand + " U (0.5 0 0); ");
+    auto phase = granularPhase::New
+    (
+        box.mesh(),
+        dictionary
+        (
+            IStringStream
+            (
+                "granularPhase materialPoints; materialPoints { cellSize 0.02;"
+                " contact {} walls { friction 0.9; } bodies { rough { " + moving
+              + " region { box ((0.1 0 0) (0.2 1 0.04)); } } smooth { " + moving
+              + " walls { frictions { zMin 0; } }"
+                " region { box ((0.4 0 0) (0.5 1 0.04)); } } } }"
+            )()
+        ),
+        down,
+        10
+    );
+    for (label i = 0; i < 40; ++i)
+    {
+        phase->advance();
+    }
+
+    vector momentum[2] = {Zero, Zero};
+    const auto now = phase->snapshot();
+    forAll(now->type, i)
+    {
+        momentum[now->type[i] - 1] += now->mass[i]*now->U[i];
+    }
+    const scalar mass = 1500*0.1*0.04*0.1;
+    EXPECT_LT(momentum[0].x(), 0.1*0.5*mass);
+    EXPECT_NEAR(momentum[1].x(), 0.5*mass, 1e-10);
 }
 
 
@@ -299,6 +357,15 @@ TEST(materialPointsPhase, whatIsWrongIsNamed)
     EXPECT_NE(said(here, "outflow (noSuch);").find("noSuch"), std::string::npos);
     EXPECT_NE(said(here, "courant 2;").find("courant is 2"), std::string::npos);
     EXPECT_NE(said(here, "cellsize 2;").find("cellsize"), std::string::npos);
+    EXPECT_NE(said(here, "contact {}").find("only sand"), std::string::npos);
+    EXPECT_NE
+    (
+        said
+        (
+            "box ((0 0 0) (0.2 1 0.2)); } walls { friction 1;", ""
+        ).find("has walls of its own"),
+        std::string::npos
+    );
     EXPECT_NE
     (
         said("box ((5 5 5) (6 6 6));", "").find("holds no point"),

@@ -29,6 +29,15 @@ Foam::vector Foam::materialPointMethod::toVector(const lanes& l) const
 }
 
 
+void Foam::materialPointMethod::clear(std::vector<nodeLanes>& fields)
+{
+    for (nodeLanes& nodes : fields)
+    {
+        std::fill(nodes.begin(), nodes.end(), lanes(lanes::Zero()));
+    }
+}
+
+
 template<int D>
 void Foam::materialPointMethod::momentumToNodes(const scalar dt)
 {
@@ -36,7 +45,7 @@ void Foam::materialPointMethod::momentumToNodes(const scalar dt)
     const scalar h = grid_.h();
     const pointSet& p = points_;
 
-    std::fill(nodes_.begin(), nodes_.end(), lanes(lanes::Zero()));
+    clear(nodes_);
 
     forAll(p.x, i)
     {
@@ -66,7 +75,7 @@ void Foam::materialPointMethod::momentumToNodes(const scalar dt)
 
         splineStencil<D>(grid_, p.x[i]).add
         (
-            nodes_, toLanes(p.mass[i], momentum), slope
+            nodes_[fieldOf(i)], toLanes(p.mass[i], momentum), slope
         );
     }
 
@@ -80,7 +89,7 @@ void Foam::materialPointMethod::forceToNodes(const scalar dt)
     const scalar h = grid_.h();
     const pointSet& p = points_;
 
-    std::fill(change_.begin(), change_.end(), lanes(lanes::Zero()));
+    clear(change_);
 
     forAll(p.x, i)
     {
@@ -95,7 +104,7 @@ void Foam::materialPointMethod::forceToNodes(const scalar dt)
 
         splineStencil<D>(grid_, p.x[i]).add
         (
-            change_, toLanes(0, dt*p.force[i]), slope
+            change_[fieldOf(i)], toLanes(0, dt*p.force[i]), slope
         );
     }
 
@@ -108,32 +117,68 @@ void Foam::materialPointMethod::moveNodes(const scalar dt)
     const lanes fall(toLanes(0, dt*g_));
     const bool FLIP = flipShare_ > 0;
 
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
+    for (label field = 0; field < nFields(); ++field)
     {
-        lanes& node = nodes_[i];
-        const scalar m = node[0];
+        nodeLanes& nodes = nodes_[field];
 
-        if (m <= 0)
+        for (std::size_t i = 0; i < nodes.size(); ++i)
         {
-            continue;
-        }
+            lanes& node = nodes[i];
+            const scalar m = node[0];
 
-        node /= m;
-        if (FLIP)
-        {
-            const lanes before(node);
-            node += change_[i]/m;
-            change_[i] = before;
+            if (m <= 0)
+            {
+                continue;
+            }
+
+            node /= m;
+            if (FLIP)
+            {
+                lanes& change = change_[field][i];
+                const lanes before(node);
+                node += change/m;
+                change = before;
+            }
+            node += fall;
+            node[0] = m;
         }
-        node += fall;
-        node[0] = m;
     }
+}
 
-    walls_.apply(nodes_, true);
 
-    for (std::size_t i = 0; i < change_.size(); ++i)
+void Foam::materialPointMethod::applyWalls(const bool counts)
+{
+    for (label field = 0; field < nFields(); ++field)
     {
-        change_[i] = nodes_[i] - change_[i];
+        walls_.apply(nodes_[field], field, counts);
+    }
+}
+
+
+void Foam::materialPointMethod::findChange()
+{
+    for (label field = 0; field < nFields(); ++field)
+    {
+        nodeLanes& change = change_[field];
+
+        for (std::size_t i = 0; i < change.size(); ++i)
+        {
+            change[i] = nodes_[field][i] - change[i];
+        }
+    }
+}
+
+
+void Foam::materialPointMethod::divideByMass()
+{
+    for (nodeLanes& nodes : nodes_)
+    {
+        for (lanes& node : nodes)
+        {
+            const scalar m = node[0];
+            node = m > 0 ? lanes(node/m) : lanes(lanes::Zero());
+            node[0] = m;
+        }
     }
 }
 
@@ -169,7 +214,7 @@ void Foam::materialPointMethod::velocityToPoints(const scalar dt)
     {
         const splineStencil<D> stencil(grid_, p.x[i]);
         lanes moment[D];
-        p.U[i] = toVector(stencil.mean(nodes_, moment));
+        p.U[i] = toVector(stencil.mean(nodes_[fieldOf(i)], moment));
         setGradient<D>(i, moment);
 
         cell_[i] = stencil.cell();
@@ -190,8 +235,8 @@ void Foam::materialPointMethod::changeToPoints(const scalar dt)
     forAll(p.x, i)
     {
         const splineStencil<D> stencil(grid_, p.x[i]);
-        const vector U(toVector(stencil.mean(nodes_)));
-        const vector change(toVector(stencil.mean(change_)));
+        const vector U(toVector(stencil.mean(nodes_[fieldOf(i)])));
+        const vector change(toVector(stencil.mean(change_[fieldOf(i)])));
 
         p.U[i] = flipShare_*(p.U[i] + change) + (1 - flipShare_)*U;
         goesTo_[i] = p.x[i] + dt*U;
@@ -209,7 +254,7 @@ void Foam::materialPointMethod::gradientToPoints()
     {
         const splineStencil<D> stencil(grid_, p.x[i]);
         lanes moment[D];
-        stencil.mean(nodes_, moment);
+        stencil.mean(nodes_[fieldOf(i)], moment);
         setGradient<D>(i, moment);
 
         cell_[i] = stencil.cell();
@@ -229,68 +274,25 @@ void Foam::materialPointMethod::transfer(const scalar dt)
     if (flipShare_ == 0)
     {
         moveNodes(dt);
+        touch<D>();
+        applyWalls(true);
         velocityToPoints<D>(dt);
         return;
     }
 
     forceToNodes<D>(dt);
     moveNodes(dt);
+    touch<D>();
+    applyWalls(true);
+    findChange();
     changeToPoints<D>(dt);
 
     // Second mapping: the gradient is that of what the points now carry
     momentumToNodes<D>(dt);
-    for (lanes& node : nodes_)
-    {
-        const scalar m = node[0];
-        node = m > 0 ? lanes(node/m) : lanes(lanes::Zero());
-        node[0] = m;
-    }
-    walls_.apply(nodes_, false);
+    divideByMass();
+    touch<D>();
+    applyWalls(false);
     gradientToPoints<D>();
-}
-
-
-template<int D>
-Foam::vectorField Foam::materialPointMethod::fromNodes(nodeLanes& nodes) const
-{
-    const pointSet& p = points_;
-    nodeLanes mass(nodes.size(), lanes(lanes::Zero()));
-    lanes flat[D];
-    std::fill(flat, flat + D, lanes(lanes::Zero()));
-
-    forAll(p.x, i)
-    {
-        splineStencil<D>(grid_, p.x[i]).add
-        (
-            mass, lanes(p.mass[i], 0, 0, 0), flat
-        );
-    }
-    share(mass);
-
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-    {
-        nodes[i] /= mass[i][0] > 0 ? mass[i][0] : 1;
-    }
-
-    vectorField result(p.size());
-    forAll(result, i)
-    {
-        result[i] =
-            p.mass[i]*toVector(splineStencil<D>(grid_, p.x[i]).mean(nodes));
-    }
-
-    return result;
-}
-
-
-Foam::vectorField Foam::materialPointMethod::wallImpulse
-(
-    const label wall
-) const
-{
-    nodeLanes given(walls_.given(wall));
-
-    return grid_.nDims() == 2 ? fromNodes<2>(given) : fromNodes<3>(given);
 }
 
 

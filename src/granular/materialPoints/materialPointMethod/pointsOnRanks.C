@@ -112,6 +112,15 @@ void Foam::materialPointMethod::share(nodeLanes& nodes) const
 }
 
 
+void Foam::materialPointMethod::share(std::vector<nodeLanes>& fields) const
+{
+    for (nodeLanes& nodes : fields)
+    {
+        share(nodes);
+    }
+}
+
+
 void Foam::materialPointMethod::stopOutside(const label i) const
 {
     FatalErrorInFunction

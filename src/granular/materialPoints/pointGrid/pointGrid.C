@@ -123,6 +123,20 @@ Foam::pointGrid::pointGrid
 }
 
 
+Foam::scalar Foam::pointGrid::cubeVolume(const scalar edge) const
+{
+    const vector span(box_.span());
+    scalar volume = span.x()*span.y()*span.z();
+
+    for (label k = 0; k < nDims_; ++k)
+    {
+        volume *= edge/span[axes_[k]];
+    }
+
+    return volume;
+}
+
+
 Foam::label Foam::pointGrid::rankOf(const label cell) const
 {
     if (cell < 0 || cell >= nCells_[0])

@@ -3,38 +3,58 @@
 
 #include "pointWalls.H"
 
-#include "DynamicList.H"
-#include "triPointRef.H"
-
-#include <algorithm>
-
-namespace
-{
-    //- Lengths that are none, in spacings
-    constexpr double little = 1e-6;
-}
-
-
 Foam::pointWalls::pointWalls(const pointGrid& grid)
 :
-    grid_(grid)
+    grid_(grid),
+    friction_(1)
 {}
 
 
-Foam::label Foam::pointWalls::add(const word& name, const scalar friction)
+void Foam::pointWalls::check(const word& wall, const scalar friction)
 {
     if (!(friction >= 0))
     {
         FatalErrorInFunction
-            << "The friction of wall " << name << " is " << friction
+            << "The friction of wall " << wall << " is " << friction
             << "; it may not be below zero." << exit(FatalError);
     }
+}
 
+
+Foam::label Foam::pointWalls::add(const word& name, const scalar friction)
+{
+    check(name, friction);
     names_.append(name);
-    friction_.append(friction);
     impulse_.append(Zero);
+    for (scalarField& ofBody : friction_)
+    {
+        ofBody.append(friction);
+    }
 
     return names_.size() - 1;
+}
+
+
+void Foam::pointWalls::setBodies(const label n)
+{
+    const scalarField ofAll(friction_[0]);
+    friction_ = List<scalarField>(n, ofAll);
+    resetImpulse();
+}
+
+
+void Foam::pointWalls::setFriction(const List<scalarField>& ofBodies)
+{
+    for (const scalarField& friction : ofBodies)
+    {
+        forAll(friction, wall)
+        {
+            check(names_[wall], friction[wall]);
+        }
+    }
+
+    friction_ = ofBodies;
+    resetImpulse();
 }
 
 
@@ -56,198 +76,18 @@ void Foam::pointWalls::addFace(const label wall, const pointField& corners)
 }
 
 
-Foam::point Foam::pointWalls::nearest(const facet& f, const point& p)
-{
-    point best(f.centre);
-
-    forAll(f.corners, i)
-    {
-        const triPointRef triangle
-        (
-            f.corners[i], f.corners[f.corners.fcIndex(i)], f.centre
-        );
-        const point q(triangle.nearestPoint(p).rawPoint());
-
-        if (magSqr(q - p) < magSqr(best - p))
-        {
-            best = q;
-        }
-    }
-
-    return best;
-}
-
-
-template<class Function>
-void Foam::pointWalls::nodesIn(const boundBox& box, const Function& f) const
-{
-    FixedList<label, 3> begin(0);
-    FixedList<label, 3> end(0);
-
-    for (label k = 0; k < grid_.nDims(); ++k)
-    {
-        const label low = k ? -1 : grid_.first() - 1;
-        const label high = k ? grid_.nCells(k) : grid_.last();
-
-        begin[k] = max(low, pointGrid::cell(grid_.coordinate(box.min(), k)));
-        end[k] = min(high, pointGrid::cell(grid_.coordinate(box.max(), k)));
-    }
-
-    FixedList<label, 3> at;
-    for (at[0] = begin[0]; at[0] <= end[0]; ++at[0])
-    {
-        for (at[1] = begin[1]; at[1] <= end[1]; ++at[1])
-        {
-            for (at[2] = begin[2]; at[2] <= end[2]; ++at[2])
-            {
-                f(grid_.node(at));
-            }
-        }
-    }
-}
-
-
-Foam::boundBox Foam::pointWalls::around(const facet& f) const
-{
-    boundBox result(f.corners, false);
-    const vector reach(vector::one*(pointGrid::margin + 1)*grid_.h());
-    result.min() -= reach;
-    result.max() += reach;
-    return result;
-}
-
-
-bool Foam::pointWalls::holds
+void Foam::pointWalls::apply
 (
-    const label i,
-    const labelUList& meeting,
-    const point& p,
-    const point& q
-) const
-{
-    const facet& f = facets_[i];
-    const scalar none = little*grid_.h();
-
-    if (((p - q) & f.normal) > none)
-    {
-        return false;
-    }
-
-    // In front of a face that turns away from this one
-    for (const label j : meeting)
-    {
-        const facet& other = facets_[j];
-
-        if
-        (
-            ((p - q) & other.normal) > none
-         && ((other.centre - q) & f.normal) < -none
-        )
-        {
-            return false;
-        }
-    }
-
-    return true;
-}
-
-
-void Foam::pointWalls::hold
-(
-    const label node,
-    const facet& f,
-    const scalar distance,
-    const std::size_t begin
+    nodeLanes& nodes,
+    const label body,
+    const bool counts
 )
 {
-    lanes normal(lanes::Zero());
-    for (label k = 0; k < grid_.nDims(); ++k)
+    const scalarField& friction = friction_[body];
+
+    for (std::size_t i = 0; i < held_.size(); ++i)
     {
-        normal[k + 1] = f.normal[grid_.axes()[k]];
-    }
-
-    const scalar length = std::sqrt(normal.square().sum());
-    if (length < little)
-    {
-        return;
-    }
-    normal /= length;
-
-    for (std::size_t i = begin; i < held_.size(); ++i)
-    {
-        if ((held_[i].normal*normal).sum() > 1 - little)
-        {
-            return;
-        }
-    }
-
-    held_.push_back({node, f.wall, normal, distance, lanes::Zero()});
-}
-
-
-void Foam::pointWalls::findNodes()
-{
-    // A node lies in the plane of the middle where that is all there is
-    scalarField distance(grid_.nNodes(), GREAT);
-    pointField place(grid_.nNodes(), Zero);
-
-    for (const facet& f : facets_)
-    {
-        nodesIn(around(f), [&](const label node)
-        {
-            const point p(grid_.position(node));
-            const point q(nearest(f, p));
-
-            if (mag(q - p) < distance[node])
-            {
-                distance[node] = mag(q - p);
-                place[node] = q;
-            }
-        });
-    }
-
-    List<DynamicList<label>> meeting(grid_.nNodes());
-
-    forAll(facets_, i)
-    {
-        nodesIn(around(facets_[i]), [&](const label node)
-        {
-            const point q(nearest(facets_[i], place[node]));
-
-            if (mag(q - place[node]) < little*grid_.h())
-            {
-                meeting[node].append(i);
-            }
-        });
-    }
-
-    held_.clear();
-    heldFrom_.setSize(grid_.nNodes(), -1);
-    forAll(meeting, node)
-    {
-        const std::size_t begin = held_.size();
-        const point p(grid_.position(node));
-
-        for (const label i : meeting[node])
-        {
-            if (holds(i, meeting[node], p, place[node]))
-            {
-                const scalar distance = (p - place[node]) & facets_[i].normal;
-                hold(node, facets_[i], distance, begin);
-            }
-        }
-
-        heldFrom_[node] = held_.size() > begin ? label(begin) : -1;
-    }
-
-    facets_.clear();
-}
-
-
-void Foam::pointWalls::apply(nodeLanes& nodes, const bool counts)
-{
-    for (heldNode& held : held_)
-    {
+        const heldNode& held = held_[i];
         lanes& node = nodes[held.node];
         const lanes before(node);
         const scalar inwards = (node*held.normal).sum();
@@ -261,7 +101,7 @@ void Foam::pointWalls::apply(nodeLanes& nodes, const bool counts)
 
         const scalar speed =
             std::sqrt(sqr(node[1]) + sqr(node[2]) + sqr(node[3]));
-        const scalar loss = min(-friction_[held.wall]*inwards, speed);
+        const scalar loss = min(-friction[held.wall]*inwards, speed);
 
         if (speed > 0)
         {
@@ -274,7 +114,7 @@ void Foam::pointWalls::apply(nodeLanes& nodes, const bool counts)
             continue;
         }
 
-        held.given += before[0]*(node - before);
+        given_[body][i] += before[0]*(node - before);
         if (grid_.owns(held.node))
         {
             vector& impulse = impulse_[held.wall];
@@ -291,10 +131,10 @@ void Foam::pointWalls::apply(nodeLanes& nodes, const bool counts)
 void Foam::pointWalls::resetImpulse()
 {
     impulse_ = Zero;
-    for (heldNode& held : held_)
-    {
-        held.given = lanes::Zero();
-    }
+    given_.assign
+    (
+        friction_.size(), nodeLanes(held_.size(), lanes(lanes::Zero()))
+    );
 }
 
 
@@ -328,15 +168,19 @@ void Foam::pointWalls::putBackHeld(point& p, const label cell) const
 }
 
 
-Foam::nodeLanes Foam::pointWalls::given(const label wall) const
+Foam::nodeLanes Foam::pointWalls::given
+(
+    const label wall,
+    const label body
+) const
 {
     nodeLanes result(grid_.nNodes(), lanes(lanes::Zero()));
 
-    for (const heldNode& held : held_)
+    for (std::size_t i = 0; i < held_.size(); ++i)
     {
-        if (held.wall == wall)
+        if (held_[i].wall == wall)
         {
-            result[held.node] += held.given;
+            result[held_[i].node] += given_[body][i];
         }
     }
 

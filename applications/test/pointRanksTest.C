@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Unit tests: material points are the same on any number of ranks.
+
+#include "testNumber.H"
+#include "testPoints.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+
+namespace
+{
+
+const string oneBody(body(sand, "((0.1 0 0) (0.36 1 0.3))"));
+
+
+const string twoBodies
+(
+    "contact { friction 0.3; } bodies { low { " + sand
+  + "region { box ((0.1 0 0) (0.36 1 0.16)); } } high { " + sand
+  + "region { box ((0.1 0 0.16) (0.36 1 0.3)); } } }"
+);
+
+
+//- A small column that collapses in a box
+autoPtr<boxOfPoints> smallCollapse
+(
+    const bool cut,
+    const bool repeats,
+    const bool solid,
+    const string& settings
+)
+{
+    pointBox box;
+    box.length = 0.8;
+    box.height = 0.4;
+    box.h = 0.04;
+    box.base = 0.5;
+    box.cut = cut;
+    box.repeats = repeats;
+    box.solid = solid;
+    box.width = solid ? 0.16 : 0.1;
+
+    autoPtr<boxOfPoints> column
+    (
+        new boxOfPoints
+        (
+            box,
+            vector(2, 0, -9.81),
+            settings
+        )
+    );
+    column->run(solid ? 0.15 : 0.4);
+    return column;
+}
+
+
+//- What many ranks compute is what each computes alone, to a rounding that
+//  has grown for some hundred steps
+void expectAsAlone
+(
+    const bool repeats,
+    const bool solid,
+    const string& settings = oneBody
+)
+{
+    auto together = smallCollapse(true, repeats, solid, settings);
+    auto alone = smallCollapse(false, repeats, solid, settings);
+    const pointSet& p = together->points();
+    const pointSet& all = alone->points();
+
+    EXPECT_EQ(returnReduce(p.size(), sumOp<label>()), all.size());
+
+    labelList where(all.size());
+    forAll(all.id, i)
+    {
+        where[all.id[i]] = i;
+    }
+
+    scalar apart = 0;
+    scalar stress = 0;
+    label crossed = 0;
+    const bool above = together->grid().first() > 0;
+
+    forAll(p.id, i)
+    {
+        const label j = where[p.id[i]];
+        apart = max(apart, mag(p.x[i] - all.x[j]));
+        stress = max(stress, mag(p.stress[i] - all.stress[j]));
+
+        // The column began below that
+        crossed += above && p.x[i].x() > 0.36;
+    }
+    testNumber
+    (
+        "largest distance from the same point on one rank [m]",
+        returnReduce(apart, maxOp<scalar>())
+    );
+    EXPECT_LT(apart, 1e-11);
+    EXPECT_LT(stress, 1e-4);
+    EXPECT_GT(returnReduce(crossed, sumOp<label>()), 0);
+
+    // The impulse of each wall is counted once
+    for (label wall = 0; wall < together->walls().names().size(); ++wall)
+    {
+        vector impulse(together->walls().impulse()[wall]);
+        reduce(impulse, sumOp<vector>());
+        EXPECT_NEAR
+        (
+            mag(impulse - alone->walls().impulse()[wall]), 0, 1e-6
+        );
+    }
+}
+
+} // End anonymous namespace
+
+
+TEST(ParallelMaterialPoints, aCollapseIsTheSameOnAnyNumberOfRanks)
+{
+    expectAsAlone(false, false);
+}
+
+
+TEST(ParallelMaterialPoints, aCollapseInABoxThatRepeatsIsTheSame)
+{
+    expectAsAlone(true, false);
+}
+
+
+TEST(ParallelMaterialPoints, aCollapseByFLIPIsTheSame)
+{
+    expectAsAlone(false, false, "transfer { model FLIP; }" + oneBody);
+}
+
+
+TEST(ParallelMaterialPoints, aCollapseInThreeDimensionsIsTheSame)
+{
+    expectAsAlone(false, true);
+}
+
+
+TEST(ParallelMaterialPoints, bodiesInContactAreTheSame)
+{
+    expectAsAlone(false, false, twoBodies);
+    expectAsAlone(true, false, twoBodies);
+}
+
+
+TEST(ParallelMaterialPoints, bodiesInContactInThreeDimensionsAreTheSame)
+{
+    expectAsAlone(false, true, twoBodies);
+}

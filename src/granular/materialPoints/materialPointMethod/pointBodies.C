@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The material-point method: bodies, their points, and what is between them.
+
+#include "materialPointMethod.H"
+
+#include "PstreamReduceOps.H"
+#include "keywords.H"
+#include "pointRegion.H"
+
+void Foam::materialPointMethod::addBodies
+(
+    const dictionary& dict,
+    const bool withPoints
+)
+{
+    const dictionary& bodies = dict.subDict("bodies");
+    const label perCell = dict.getOrDefault<label>("pointsPerCell", 2);
+
+    if (perCell < 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "pointsPerCell is " << perCell << "; give the number of points"
+            << " of a cell along each direction, 1 or more (usual: 2)."
+            << exit(FatalIOError);
+    }
+
+    for (const entry& body : bodies)
+    {
+        if (!body.isDict())
+        {
+            FatalIOErrorInFunction(bodies)
+                << "Entry " << body.keyword() << " of bodies is no dictionary:"
+                << " give one for each body, with its law, density, E, nu and"
+                << " region." << exit(FatalIOError);
+        }
+
+        dictionary law(body.dict());
+        law.remove("region");
+        law.remove("walls");
+        law.remove("U");
+        law.remove("solidDensity");
+
+        bodies_.append(body.keyword());
+        laws_.append(constitutiveLaw::New(law).ptr());
+
+        if (withPoints)
+        {
+            place(body.dict(), laws_.size() - 1, perCell);
+        }
+    }
+
+    if (laws_.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "No body in bodies: give a dictionary with law, density, E, nu"
+            << " and region for each." << exit(FatalIOError);
+    }
+
+    if (dict.found("contact"))
+    {
+        contact_.reset
+        (
+            new pointContact(keywords::sub(dict, "contact"), bodies_)
+        );
+    }
+    sizeFields();
+}
+
+
+void Foam::materialPointMethod::sizeFields()
+{
+    const label n = contact_ ? contact_->nBodies() : 1;
+    const nodeLanes none(grid_.nNodes(), lanes(lanes::Zero()));
+
+    walls_.setBodies(n);
+    nodes_.assign(n, none);
+    if (flipShare_ > 0)
+    {
+        change_.assign(n, none);
+    }
+    if (averaging_)
+    {
+        cellVolume_.setSize(n*grid_.nNodes());
+        cellDilation_.setSize(n*grid_.nNodes());
+    }
+    if (contact_)
+    {
+        inward_.assign(n, none);
+        nearContact_.setSize(grid_.nNodes());
+    }
+}
+
+
+void Foam::materialPointMethod::place
+(
+    const dictionary& dict,
+    const label body,
+    const label perCell
+)
+{
+    const pointRegion region(dict.subDict("region"), grid_);
+    const vector U(dict.getOrDefault<vector>("U", Zero));
+    const boundBox& box = grid_.box();
+    const scalar spacing = grid_.h()/perCell;
+
+    const scalar volume = grid_.cubeVolume(spacing);
+    FixedList<label, 3> n(1);
+    for (label k = 0; k < grid_.nDims(); ++k)
+    {
+        const scalar span = box.span()[grid_.axes()[k]];
+        n[k] = label(std::ceil(span/spacing - 1e-6));
+    }
+
+    // All ranks count all points, so that numbers do not depend on their number
+    label id = -1;
+    forAll(points_.id, i)
+    {
+        id = max(id, points_.id[i]);
+    }
+    reduce(id, maxOp<label>());
+    const label before = id;
+
+    for (label i = 0; i < n[0]; ++i)
+    {
+        for (label j = 0; j < n[1]; ++j)
+        {
+            for (label k = 0; k < n[2]; ++k)
+            {
+                const FixedList<label, 3> at({i, j, k});
+                point p(box.midpoint());
+
+                for (label a = 0; a < grid_.nDims(); ++a)
+                {
+                    const direction d = grid_.axes()[a];
+                    p[d] = box.min()[d] + (at[a] + 0.5)*spacing;
+                }
+
+                if (!region.contains(p))
+                {
+                    continue;
+                }
+                ++id;
+
+                const label cell = pointGrid::cell(grid_.coordinate(p, 0));
+                if (grid_.rankOf(cell) == Pstream::myProcNo())
+                {
+                    const label last = points_.size();
+                    points_.resize(last + 1);
+                    points_.id[last] = id;
+                    points_.body[last] = body;
+                    points_.x[last] = p;
+                    points_.U[last] = U;
+                    points_.volume[last] = volume;
+                    points_.mass[last] = volume*laws_[body].density();
+                    fastest_ = max(fastest_, mag(U));
+                }
+            }
+        }
+    }
+
+    if (id == before)
+    {
+        FatalIOErrorInFunction(dict)
+            << "The region of body " << bodies_[body] << " holds no point of the"
+            << " grid in the mesh's box " << box << nl
+            << "    Points are " << spacing << " m apart." << exit(FatalIOError);
+    }
+}

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Walls for material points: which nodes they hold.
+
+#include "pointWalls.H"
+
+#include "DynamicList.H"
+#include "triPointRef.H"
+
+Foam::point Foam::pointWalls::nearest(const facet& f, const point& p)
+{
+    point best(f.centre);
+
+    forAll(f.corners, i)
+    {
+        const triPointRef triangle
+        (
+            f.corners[i], f.corners[f.corners.fcIndex(i)], f.centre
+        );
+        const point q(triangle.nearestPoint(p).rawPoint());
+
+        if (magSqr(q - p) < magSqr(best - p))
+        {
+            best = q;
+        }
+    }
+
+    return best;
+}
+
+
+template<class Function>
+void Foam::pointWalls::nodesIn(const boundBox& box, const Function& f) const
+{
+    FixedList<label, 3> begin(0);
+    FixedList<label, 3> end(0);
+
+    for (label k = 0; k < grid_.nDims(); ++k)
+    {
+        const label low = k ? -1 : grid_.first() - 1;
+        const label high = k ? grid_.nCells(k) : grid_.last();
+
+        begin[k] = max(low, pointGrid::cell(grid_.coordinate(box.min(), k)));
+        end[k] = min(high, pointGrid::cell(grid_.coordinate(box.max(), k)));
+    }
+
+    FixedList<label, 3> at;
+    for (at[0] = begin[0]; at[0] <= end[0]; ++at[0])
+    {
+        for (at[1] = begin[1]; at[1] <= end[1]; ++at[1])
+        {
+            for (at[2] = begin[2]; at[2] <= end[2]; ++at[2])
+            {
+                f(grid_.node(at));
+            }
+        }
+    }
+}
+
+
+Foam::boundBox Foam::pointWalls::around(const facet& f) const
+{
+    boundBox result(f.corners, false);
+    const vector reach(vector::one*(pointGrid::margin + 1)*grid_.h());
+    result.min() -= reach;
+    result.max() += reach;
+    return result;
+}
+
+
+bool Foam::pointWalls::holds
+(
+    const label i,
+    const labelUList& meeting,
+    const point& p,
+    const point& q
+) const
+{
+    const facet& f = facets_[i];
+    const scalar none = little*grid_.h();
+
+    if (((p - q) & f.normal) > none)
+    {
+        return false;
+    }
+
+    // In front of a face that turns away from this one
+    for (const label j : meeting)
+    {
+        const facet& other = facets_[j];
+
+        if
+        (
+            ((p - q) & other.normal) > none
+         && ((other.centre - q) & f.normal) < -none
+        )
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
+
+
+void Foam::pointWalls::hold
+(
+    const label node,
+    const facet& f,
+    const scalar distance,
+    const std::size_t begin
+)
+{
+    lanes normal(lanes::Zero());
+    for (label k = 0; k < grid_.nDims(); ++k)
+    {
+        normal[k + 1] = f.normal[grid_.axes()[k]];
+    }
+
+    const scalar length = std::sqrt(normal.square().sum());
+    if (length < little)
+    {
+        return;
+    }
+    normal /= length;
+
+    for (std::size_t i = begin; i < held_.size(); ++i)
+    {
+        if ((held_[i].normal*normal).sum() > 1 - little)
+        {
+            return;
+        }
+    }
+
+    held_.push_back({node, f.wall, normal, distance});
+}
+
+
+void Foam::pointWalls::findNodes()
+{
+    // A node lies in the plane of the middle where that is all there is
+    scalarField distance(grid_.nNodes(), GREAT);
+    pointField place(grid_.nNodes(), Zero);
+
+    for (const facet& f : facets_)
+    {
+        nodesIn(around(f), [&](const label node)
+        {
+            const point p(grid_.position(node));
+            const point q(nearest(f, p));
+
+            if (mag(q - p) < distance[node])
+            {
+                distance[node] = mag(q - p);
+                place[node] = q;
+            }
+        });
+    }
+
+    List<DynamicList<label>> meeting(grid_.nNodes());
+
+    forAll(facets_, i)
+    {
+        nodesIn(around(facets_[i]), [&](const label node)
+        {
+            const point q(nearest(facets_[i], place[node]));
+
+            if (mag(q - place[node]) < little*grid_.h())
+            {
+                meeting[node].append(i);
+            }
+        });
+    }
+
+    held_.clear();
+    heldFrom_.setSize(grid_.nNodes(), -1);
+    forAll(meeting, node)
+    {
+        const std::size_t begin = held_.size();
+        const point p(grid_.position(node));
+
+        for (const label i : meeting[node])
+        {
+            if (holds(i, meeting[node], p, place[node]))
+            {
+                const scalar distance = (p - place[node]) & facets_[i].normal;
+                hold(node, facets_[i], distance, begin);
+            }
+        }
+
+        heldFrom_[node] = held_.size() > begin ? label(begin) : -1;
+    }
+
+    facets_.clear();
+    resetImpulse();
+}
