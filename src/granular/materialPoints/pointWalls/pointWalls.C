@@ -138,36 +138,6 @@ void Foam::pointWalls::resetImpulse()
 }
 
 
-void Foam::pointWalls::putBackHeld(point& p, const label cell) const
-{
-    const point node(grid_.position(cell));
-    const scalar least = little*grid_.h();
-
-    for
-    (
-        std::size_t i = heldFrom_[cell];
-        i < held_.size() && held_[i].node == cell;
-        ++i
-    )
-    {
-        const heldNode& held = held_[i];
-        scalar distance = held.distance;
-
-        for (label k = 0; k < 3 && k < grid_.nDims(); ++k)
-        {
-            const direction d = grid_.axes()[k];
-            distance += held.normal[k + 1]*(p[d] - node[d]);
-        }
-
-        const scalar out = max(least - distance, scalar(0));
-        for (label k = 0; k < 3 && k < grid_.nDims(); ++k)
-        {
-            p[grid_.axes()[k]] += out*held.normal[k + 1];
-        }
-    }
-}
-
-
 Foam::nodeLanes Foam::pointWalls::given
 (
     const label wall,

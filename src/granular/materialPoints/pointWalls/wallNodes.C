@@ -3,7 +3,6 @@
 
 #include "pointWalls.H"
 
-#include "DynamicList.H"
 #include "triPointRef.H"
 
 Foam::point Foam::pointWalls::nearest(const facet& f, const point& p)
@@ -25,35 +24,6 @@ Foam::point Foam::pointWalls::nearest(const facet& f, const point& p)
     }
 
     return best;
-}
-
-
-template<class Function>
-void Foam::pointWalls::nodesIn(const boundBox& box, const Function& f) const
-{
-    FixedList<label, 3> begin(0);
-    FixedList<label, 3> end(0);
-
-    for (label k = 0; k < grid_.nDims(); ++k)
-    {
-        const label low = k ? -1 : grid_.first() - 1;
-        const label high = k ? grid_.nCells(k) : grid_.last();
-
-        begin[k] = max(low, pointGrid::cell(grid_.coordinate(box.min(), k)));
-        end[k] = min(high, pointGrid::cell(grid_.coordinate(box.max(), k)));
-    }
-
-    FixedList<label, 3> at;
-    for (at[0] = begin[0]; at[0] <= end[0]; ++at[0])
-    {
-        for (at[1] = begin[1]; at[1] <= end[1]; ++at[1])
-        {
-            for (at[2] = begin[2]; at[2] <= end[2]; ++at[2])
-            {
-                f(grid_.node(at));
-            }
-        }
-    }
 }
 
 
@@ -102,13 +72,7 @@ bool Foam::pointWalls::holds
 }
 
 
-void Foam::pointWalls::hold
-(
-    const label node,
-    const facet& f,
-    const scalar distance,
-    const std::size_t begin
-)
+Foam::lanes Foam::pointWalls::normalOf(const facet& f) const
 {
     lanes normal(lanes::Zero());
     for (label k = 0; k < grid_.nDims(); ++k)
@@ -117,11 +81,23 @@ void Foam::pointWalls::hold
     }
 
     const scalar length = std::sqrt(normal.square().sum());
-    if (length < little)
+    return length < little ? lanes(lanes::Zero()) : lanes(normal/length);
+}
+
+
+void Foam::pointWalls::hold
+(
+    const label node,
+    const facet& f,
+    const scalar distance,
+    const std::size_t begin
+)
+{
+    const lanes normal(normalOf(f));
+    if (normal.square().sum() < little)
     {
         return;
     }
-    normal /= length;
 
     for (std::size_t i = begin; i < held_.size(); ++i)
     {
@@ -172,7 +148,8 @@ void Foam::pointWalls::findNodes()
     }
 
     held_.clear();
-    heldFrom_.setSize(grid_.nNodes(), -1);
+    isHeld_.clear();
+    isHeld_.setSize(grid_.nNodes(), false);
     forAll(meeting, node)
     {
         const std::size_t begin = held_.size();
@@ -187,9 +164,10 @@ void Foam::pointWalls::findNodes()
             }
         }
 
-        heldFrom_[node] = held_.size() > begin ? label(begin) : -1;
+        isHeld_[node] = held_.size() > begin;
     }
 
+    findBarriers();
     facets_.clear();
     resetImpulse();
 }

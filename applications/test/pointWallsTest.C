@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Unit tests: walls of material points that are not on lines of the grid.
+
+#include "pointWalls.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+
+namespace
+{
+
+//- A slice 1 m long and high, in cells of 50 mm
+pointGrid slice()
+{
+    return pointGrid
+    (
+        boundBox(point(0, 0, 0), point(1, 0.1, 1)),
+        0.05,
+        Vector<bool>(true, false, true)
+    );
+}
+
+
+//- A face of a wall from a to b in the plane of the slice; points lie to its left
+void addFace
+(
+    pointWalls& walls,
+    const label wall,
+    const vector2D& a,
+    const vector2D& b
+)
+{
+    walls.addFace
+    (
+        wall,
+        pointField
+        ({
+            {a.x(), 0, a.y()}, {a.x(), 0.1, a.y()},
+            {b.x(), 0.1, b.y()}, {b.x(), 0, b.y()}
+        })
+    );
+}
+
+
+//- Largest distance of a point from where the walls put it back, of points at
+//  a distance [m], negative behind them, on the line from a to b
+scalar moved
+(
+    const pointGrid& grid,
+    const pointWalls& walls,
+    const vector2D& a,
+    const vector2D& b,
+    const scalar distance
+)
+{
+    const vector2D along((b - a)/mag(b - a));
+    const vector2D normal(-along.y(), along.x());
+    scalar most = 0;
+
+    for (scalar s = 0.001; s < mag(b - a); s += 0.0013)
+    {
+        const vector2D at(a + s*along + distance*normal);
+        point p(at.x(), 0.05, at.y());
+        const point before(p);
+
+        // The cell is that of where the point comes from, half a cell away
+        for (const scalar from : {0.0, 0.024})
+        {
+            const vector2D was(at + from*normal);
+            FixedList<label, 3> cell(0);
+            for (label k = 0; k < 2; ++k)
+            {
+                const point q(was.x(), 0.05, was.y());
+                cell[k] = pointGrid::cell(grid.coordinate(q, k));
+            }
+            walls.putBack(p, grid.node(cell));
+            most = max(most, mag(p - before));
+            if (distance < 0)
+            {
+                // In front of the wall again, by no more than a rounding
+                const vector2D now(vector2D(p.x(), p.z()) - a);
+                EXPECT_GE(now & normal, 0) << at.x() << ' ' << at.y();
+                EXPECT_LT(now & normal, 1e-6);
+            }
+            p = before;
+        }
+    }
+
+    return most;
+}
+
+} // End anonymous namespace
+
+
+TEST(pointWalls, aPointBehindAnInclinedWallIsPutBack)
+{
+    for (const scalar angle : {3.0, 10.0, 33.0, 45.0, 71.0})
+    {
+        const pointGrid grid(slice());
+        pointWalls walls(grid);
+        const label wall = walls.add("slope", 0);
+        const scalar a = angle*M_PI/180;
+        const vector2D low(0.1, 0.12);
+        const vector2D high(low + 0.8*vector2D(std::cos(a), std::sin(a)));
+        addFace(walls, wall, low, high);
+        walls.findNodes();
+
+        EXPECT_GT(moved(grid, walls, low, high, -0.01), 0.0099);
+        EXPECT_EQ(moved(grid, walls, low, high, 0.001), 0);
+    }
+}
+
+
+TEST(pointWalls, aPointBehindAHollowWallIsPutBack)
+{
+    // An arc of six faces, hollow to the points above it
+    const pointGrid grid(slice());
+    pointWalls walls(grid);
+    const label wall = walls.add("arc", 0);
+    List<vector2D> corner(7);
+    forAll(corner, i)
+    {
+        const scalar a = (i - 3)*12*M_PI/180;
+        corner[i] = vector2D(0.5, 0.7) + 0.5*vector2D(std::sin(a), -std::cos(a));
+    }
+    for (label i = 0; i < 6; ++i)
+    {
+        addFace(walls, wall, corner[i], corner[i + 1]);
+    }
+    walls.findNodes();
+
+    for (label i = 0; i < 6; ++i)
+    {
+        EXPECT_EQ(moved(grid, walls, corner[i], corner[i + 1], 0.006), 0);
+
+        // What is behind one face and its neighbour goes in front of both
+        const vector2D middle(0.5*(corner[i] + corner[i + 1]));
+        const vector2D along(0.3*(corner[i + 1] - corner[i]));
+        EXPECT_GT
+        (
+            moved(grid, walls, middle - along, middle + along, -0.004), 0.0039
+        );
+    }
+}
+
+
+TEST(pointWalls, aPointBesideAnEdgeThatStandsOutIsLeftAlone)
+{
+    // A step down at x = 0.53, off the lines of the grid
+    const pointGrid grid(slice());
+    pointWalls walls(grid);
+    const label wall = walls.add("step", 0);
+    const vector2D edge(0.53, 0.41);
+    addFace(walls, wall, vector2D(0, 0.41), edge);
+    addFace(walls, wall, edge, vector2D(0.53, 0));
+    walls.findNodes();
+
+    EXPECT_EQ(moved(grid, walls, edge, vector2D(0.53, 0), 0.002), 0);
+    EXPECT_EQ(moved(grid, walls, vector2D(0, 0.41), edge, 0.002), 0);
+    EXPECT_GT
+    (
+        moved(grid, walls, vector2D(0.2, 0.41), vector2D(0.45, 0.41), -0.01),
+        0.0099
+    );
+}
