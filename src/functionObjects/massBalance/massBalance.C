@@ -109,6 +109,10 @@ void Foam::functionObjects::massBalance::begin()
 
     if (goOn())
     {
+        // As results were written LIGGGHTS took out what was beyond a side
+        label written = label(count[0]);
+        kept("grains", written);
+        leftBefore_ += written - label(count[0]);
         return;
     }
 
@@ -220,6 +224,7 @@ bool Foam::functionObjects::massBalance::sample()
 
     const FixedList<scalar, 4> count(grainCount());
     setProperty("outflow", outflow_);
+    setProperty("grains", label(count[0]));
     setProperty("entered", label(count[2]));
     setProperty("left", label(count[3]));
 

@@ -138,7 +138,19 @@ bool Foam::liggghtsPhase::cameToSide
 
     for (direction k = 0; k < 3; ++k)
     {
-        if (domain.periodicity[k] || velocity[k] == 0)
+        if (domain.periodicity[k])
+        {
+            continue;
+        }
+
+        // LIGGGHTS takes out what is beyond a side when it makes new lists of
+        // neighbours: until then it may fall back
+        if (from[k] > domain.boxhi[k] || from[k] < domain.boxlo[k])
+        {
+            leavesAt = from;
+            return true;
+        }
+        if (velocity[k] == 0)
         {
             continue;
         }

@@ -221,6 +221,7 @@ bool Foam::liggghtsPhase::writeState(const fileName& folder)
 {
     const fileName aside(folder/"state.incomplete");
 
+    before_.note(id_, position_, velocity_);
     endInsertions();
     liggghts_.command("write_restart " + aside);
 
@@ -236,9 +237,11 @@ bool Foam::liggghtsPhase::writeState(const fileName& folder)
     }
     compatibility::broadcast(complete);
 
-    // Writing moves grains between ranks without making neighbour lists
+    // Writing moves grains between ranks without making neighbour lists, and takes
+    // out those that are beyond a side
     liggghts_.setup();
     refresh();
+    countGrains();
 
     return complete;
 }
