@@ -130,7 +130,7 @@ TEST(misfitDiagnosis, whatTheseChannelsCannotTellApartIsASet)
         }
         const finding f(diagnose(s));
         expectAnswer(f, "set", {world::mechanism(0), world::mechanism(1)});
-        EXPECT_EQ(f.confidence > 0.25, confirmed) << f.confidence;
+        EXPECT_EQ(f.grounds[groundNames.find("confirmed")] > 0, confirmed);
     }
 }
 
@@ -196,13 +196,14 @@ TEST(misfitDiagnosis, twoMechanismsAtOnceAreBothNamed)
     const finding f(diagnose(s));
     expectAnswer(f, "named", {world::mechanism(0), world::mechanism(2)});
 
-    // With something unknown beside it is the same answer
-    scalar sum = 0;
-    for (const auto& p : f.posterior)
+    // With something unknown beside it is the same answer, which others are behind
+    scalar others = GREAT;
+    for (const scored& w : f.explained.all())
     {
-        sum += hasAll(p.first, {0, 2}) ? p.second : 0;
+        others = hasAll(w.what, {0, 2}) ? others : min(others, w.score);
     }
-    EXPECT_NEAR(f.confidence, min(sum, 0.95), 1e-6);
+    const scalar lead = others - f.explained.lowestScore();
+    EXPECT_NEAR(f.grounds[groundNames.find("lead")], std::log1p(lead), 1e-6);
 }
 
 

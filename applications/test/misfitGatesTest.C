@@ -109,19 +109,17 @@ TEST(misfitGates, whatIsNotMatchedYetIsSaid)
     {
         const bool said =
             describe(f).find("not yet match " + describe(h)) != std::string::npos;
-        EXPECT_EQ(said, h.squareAfter > matchLimit(h)) << describe(f);
+        EXPECT_EQ(said, h.squareAfter > h.limitOfMatch) << describe(f);
     }
-    EXPECT_GT(f.held[0].squareAfter, matchLimit(f.held[0]));
+    EXPECT_GT(f.held[0].squareAfter, f.held[0].limitOfMatch);
 }
 
 
 TEST(misfitGates, aMatchOfFewSamplesIsJudgedByChance)
 {
-    heldOut few;
-    few.data.y = vec::Zero(5);
-    EXPECT_NEAR(matchLimit(few), 3.02, 0.02);
-    few.data.y = vec::Zero(1000);
-    EXPECT_EQ(matchLimit(few), 1.5);
+    const rules limits;
+    EXPECT_NEAR(matchLimit(5, limits), 3.02, 0.02);
+    EXPECT_EQ(matchLimit(1000, limits), 1.5);
 }
 
 
@@ -424,7 +422,7 @@ TEST(misfitGates, theMisfitIsMovedInTimeOnlyWhereNoHeldOutDataConfirmTheAnswer)
 }
 
 
-TEST(misfitGates, whereTooMuchIsLeftThereIsMoreToItAndTheNameIsLessSure)
+TEST(misfitGates, whereTooMuchIsLeftThereIsMoreToItWhichCountsForTheConfidence)
 {
     const vec added(strangeWave(75));
     settings set(worldSettings());
@@ -440,8 +438,9 @@ TEST(misfitGates, whereTooMuchIsLeftThereIsMoreToItAndTheNameIsLessSure)
     EXPECT_EQ(f.names, enough.names);
     EXPECT_NE(describe(f).find("There is more to it"), std::string::npos)
         << describe(f);
-    EXPECT_GT(enough.confidence, 0.9);
-    EXPECT_LT(f.confidence, 0.9);
+    const label more = groundNames.find("more");
+    EXPECT_EQ(enough.grounds[more], 0);
+    EXPECT_EQ(f.grounds[more], 1);
 }
 
 

@@ -63,7 +63,7 @@ public:
         };
         scored n;
         n.best.x = vec::Constant(1, start);
-        return refit(n, 6, vec::Constant(1, 1), with);
+        return refit(n, rules(), vec::Constant(1, 1), with);
     }
 };
 

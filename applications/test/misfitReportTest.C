@@ -155,6 +155,7 @@ TEST(misfitReport, theRecordIsOfItsSchemaAndReadsBackAsItWasFound)
         {"schema", type::number_unsigned}, {"case", type::string},
         {"verdict", type::string}, {"names", type::array},
         {"words", type::string}, {"confidence", type::number_float},
+        {"confidenceFrom", type::object},
         {"strengths", type::array}, {"fault", type::null},
         {"detection", type::object}, {"located", type::array},
         {"calibration", type::array}, {"uncertainty", type::object},
@@ -172,7 +173,7 @@ TEST(misfitReport, theRecordIsOfItsSchemaAndReadsBackAsItWasFound)
         ASSERT_TRUE(j.contains(key.first)) << key.first;
         EXPECT_EQ(j[key.first].type(), key.second) << key.first;
     }
-    EXPECT_EQ(j["schema"], 3);
+    EXPECT_EQ(j["schema"], 4);
     EXPECT_EQ(verdictNames[word(j["verdict"].get<std::string>())], f.verdict);
     EXPECT_EQ(j["names"].get<std::vector<std::string>>().front(), f.names[0]);
     EXPECT_EQ(j["confidence"], f.confidence);

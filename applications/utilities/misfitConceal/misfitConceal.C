@@ -2,6 +2,8 @@
 // Makes, diagnoses and scores cases whose cause is concealed.
 
 #include "concealedSet.H"
+#include "confidenceFit.H"
+#include "textFile.H"
 
 #include "argList.H"
 #include "OSspecific.H"
@@ -34,6 +36,11 @@ void addOptions()
     argList::addOption("seed", "number", "For make; secret if not given");
     argList::addBoolOption("diagnose", "Diagnose all cases in the folder");
     argList::addBoolOption("score", "Score the verdicts against the key");
+    argList::addOption
+    (
+        "calibrate", "cases.csv", "Fit the table of confidences to scored cases"
+    );
+    argList::addOption("table", "file", "For calibrate: that table");
     argList::addBoolOption
     (
         "check",
@@ -79,15 +86,15 @@ fileName absolute(fileName path)
 void checkAction(const argList& args)
 {
     bool any = false;
-    for (const char* what : {"make", "diagnose", "score", "check"})
+    for (const char* what : {"make", "diagnose", "score", "calibrate", "check"})
     {
         any = any || args.found(what);
     }
     if (!any || (args.found("make") && args.get<label>("make") < 1))
     {
         FatalErrorInFunction
-            << "Nothing to do: give -make with a number above 0, -diagnose, -score or"
-            << " -check" << exit(FatalError);
+            << "Nothing to do: give -make with a number above 0, -diagnose, -score,"
+            << " -calibrate or -check" << exit(FatalError);
     }
 }
 
@@ -100,6 +107,15 @@ int main(int argc, char* argv[])
     startSerialTool();
     const argList args(argc, argv);
     checkAction(args);
+    if (args.found("calibrate"))
+    {
+        const fileName table(absolute(args.get<fileName>("table")));
+        writeWhole
+        (
+            table, fittedTable(readKnownCases(args.get<fileName>("calibrate")))
+        );
+        return 0;
+    }
     const fileName slice(args.path());
     const fileName folder(absolute(args.get<fileName>("folder")));
     const fileName key

@@ -40,8 +40,17 @@ std::string joined(const std::vector<std::string>& list)
 }
 
 
+//- A line of cases.csv
 std::string row(const openedCase& c)
 {
+    // No table of confidences is for a verdict without grounds: its cells are empty
+    std::string grounds;
+    for (const word& name : groundNames)
+    {
+        const json& from = c.verdict["confidenceFrom"];
+        grounds +=
+            ',' + (from.is_null() ? std::string() : shortNumber(from[name]));
+    }
     const std::string faulty = c.key["faulty"];
     const std::string fault = c.key["fault"];
     return
@@ -50,7 +59,8 @@ std::string row(const openedCase& c)
       + shortNumber(c.effect.noiseSNR) + ',' + shortNumber(c.effect.SNR) + ','
       + c.said() + ',' + joined(c.names()) + ','
       + shortNumber(c.verdict["confidence"]) + ','
-      + (c.overlap() < 0 ? "" : shortNumber(c.overlap())) + '\n';
+      + (c.overlap() < 0 ? "" : shortNumber(c.overlap())) + ','
+      + (c.isRight() ? '1' : '0') + grounds + '\n';
 }
 
 } // End anonymous namespace
@@ -67,8 +77,13 @@ void Foam::misfit::scoreCases
     std::map<std::string, std::unique_ptr<detectability>> byNoise;
     std::string table
     (
-        "case,kind,truth,snrNoise,snr,verdict,names,confidence,overlap\n"
+        "case,kind,truth,snrNoise,snr,verdict,names,confidence,overlap,right"
     );
+    for (const word& name : groundNames)
+    {
+        table += ',' + name;
+    }
+    table += '\n';
     label open = 0;
     const json opened(readJson(keyFile));
     for (const json& key : opened.at("cases"))
@@ -107,5 +122,6 @@ void Foam::misfit::scoreCases
     }
     writeWhole(folder/"cases.csv", table);
     writeWhole(folder/"score.csv", all.rows());
+    writeWhole(folder/"reliability.csv", all.confidence().rows());
     Info<< all.rows().c_str() << endl;
 }

@@ -22,6 +22,21 @@ bool contains(const nameList& all, const std::string& one)
 }
 
 
+//- The mechanisms of one of a set, or the fault of a sensor as it is worded
+nameList partsOf(std::string one)
+{
+    nameList parts;
+    const std::string between(" and ");
+    for (size_t at = one.find(between); at != one.npos; at = one.find(between))
+    {
+        parts.push_back(one.substr(0, at));
+        one.erase(0, at + between.size());
+    }
+    parts.push_back(one);
+    return parts;
+}
+
+
 //- Share of the misfit at held-out data that is gone [%]; adds none where there was
 //  no misfit to speak of
 void addGone(scalarList& values, const json& held, const std::string& what)
@@ -89,6 +104,37 @@ bool Foam::misfit::openedCase::nothingWrong() const
         right = right && contains(real, name);
     }
     return right;
+}
+
+
+bool Foam::misfit::openedCase::isRight() const
+{
+    nameList all(truth());
+    const std::string faulty = key["faulty"];
+    if (said() == "set")
+    {
+        for (const std::string& one : names())
+        {
+            const nameList parts(partsOf(one));
+            const bool ofChannel =
+                faulty.size() && one.find("of " + faulty) != one.npos;
+            const bool isThere = std::all_of
+            (
+                parts.begin(), parts.end(),
+                [&all](const std::string& part) { return contains(all, part); }
+            );
+            if (ofChannel || isThere)
+            {
+                return true;
+            }
+        }
+        return false;
+    }
+    return
+        said() == "none" ? kind() == "null"
+      : said() == "unknown" ? kind() == "outside"
+      : blamesChannel() ? faulty.size() && names() == nameList({faulty})
+      : nothingWrong();
 }
 
 
@@ -222,23 +268,18 @@ void Foam::misfit::scores::addPhysics(const openedCase& c)
 void Foam::misfit::scores::add(const openedCase& c)
 {
     const bool strong = c.effect.SNR >= detectableFrom;
-    bool right = false;
+    const bool right = c.isRight();
     if (c.kind() == "null")
     {
-        right = c.said() == "none";
         falseAlarm_.count(!right);
     }
     else if (c.kind() == "single" || c.kind() == "pair")
     {
-        right =
-            c.kind() == "pair" ? c.nothingWrong()
-          : c.named() && c.names() == c.truth();
         blamedSensor_.count(c.blamesChannel());
         addPhysics(c);
     }
     else if (c.kind() == "outside")
     {
-        right = c.said() == "unknown";
         blamedSensor_.count(c.blamesChannel());
         wrong_.count(c.named());
         if (strong)
@@ -248,20 +289,17 @@ void Foam::misfit::scores::add(const openedCase& c)
     }
     else
     {
-        right =
-            c.blamesChannel()
-         && c.names() == nameList({c.key["faulty"].get<std::string>()});
         blamed_.count(c.blamesPhysics());
         if (strong)
         {
-            sensor_.count(right);
+            sensor_.count(right && c.blamesChannel());
         }
     }
     if (c.named())
     {
-        precision_.count(c.nothingWrong());
+        precision_.count(right);
     }
-    brier_.values.append(sqr(c.verdict["confidence"].get<scalar>() - right));
+    reliability_.add(c.verdict["confidence"], right);
 }
 
 
@@ -290,5 +328,5 @@ std::string Foam::misfit::scores::rows() const
     {
         text += row(l->what, ofMedian(l->values), l->goal);
     }
-    return text + row(brier_.what, ofMean(brier_.values), brier_.goal);
+    return text + row("Brier score of the confidence", reliability_.brier(), "");
 }

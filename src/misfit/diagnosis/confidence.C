@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How sure the verdict is.
+// How sure the verdict is: what speaks for it, and how often such verdicts were right.
 
 #include "heldOutGates.H"
 #include "verdict.H"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -52,60 +53,81 @@ bool agrees(const finding& f, const scored& w)
     }
 }
 
+
+//- Small differences count as they are, large ones by their order
+scalar ofOrder(const scalar x)
+{
+    return x < 0 ? -std::log1p(-x) : std::log1p(x);
+}
+
+
+//- By how much the score of those that agree is ahead of that of all others
+scalar lead(const finding& f)
+{
+    scalar own = GREAT;
+    scalar others = GREAT;
+    for (const scored& w : f.explained.all())
+    {
+        scalar& least = agrees(f, w) ? own : others;
+        least = min(least, w.score);
+    }
+    return own == GREAT || others == GREAT ? 0 : others - own;
+}
+
+
+//- Of the gates that were asked, how many passed
+scalar shareOfGates(const finding& f)
+{
+    label asked = 0;
+    label passed = 0;
+    for (const gate& g : f.gates)
+    {
+        if (g.applies && g.kind != gateKind::detection)
+        {
+            ++asked;
+            passed += g.passed;
+        }
+    }
+    return asked ? scalar(passed)/asked : 1;
+}
+
+
+groundValues groundsOf(const settings& set, const finding& f)
+{
+    groundValues g(groundNames.size());
+    g <<
+        ofOrder(lead(f)),
+        f.detection.p,
+        ofOrder(std::sqrt(max(f.detection.sum - f.data.size(), 0.0))),
+        shareOfGates(f),
+        isConfirmed(f.held, set),
+        f.verdict != verdictKind::none && f.hasMore();
+    return g;
+}
+
+
+//- Share of the probability that those that agree have
+scalar shareOfThoseThatAgree(const finding& f)
+{
+    scalar sum = 0;
+    for (const scored& w : f.explained.all())
+    {
+        sum += agrees(f, w) ? w.probability : 0;
+    }
+    return sum;
+}
+
 } // End anonymous namespace
 
 
 void Foam::misfit::setConfidence(const settings& set, finding& f)
 {
-    scalar sum = 0;
-    bool physics = false;
-    for (const scored& w : f.explained.all())
-    {
-        sum += agrees(f, w) ? w.probability : 0;
-    }
-    for (const scored& w : f.rivals)
-    {
-        physics = physics || w.what.mechanisms.size();
-    }
+    f.grounds = groundsOf(set, f);
+    f.confidence = set.confidence(verdictNames[f.verdict], f.grounds);
 
-    // 88 of 105 such verdicts were right where the solver made the recordings, the
-    // others hid effects that chance could have made (validation/concealed)
-    if
-    (
-        f.verdict == verdictKind::none
-     && !f.gates.passed(gateKind::detection)
-    )
+    // The cases of the table had all their runs
+    if (f.failing.size() || f.failedRuns.size())
     {
-        sum = max(sum, 0.82);
+        f.confidence = min(f.confidence, shareOfThoseThatAgree(f));
     }
-
-    // 15 of 17 such names were right there, and 88 of 88 of the others
-    if (f.verdict == verdictKind::named && f.hasMore())
-    {
-        sum = min(sum, 0.88);
-    }
-
-    // Of six such sets there one held the cause
-    const bool ofPhysics = f.verdict == verdictKind::set && physics;
-    if (ofPhysics && !isConfirmed(f.held))
-    {
-        sum = min(sum, 0.25);
-    }
-
-    // Of 13 that hang on a channel ten: three of six there, seven of seven from the
-    // training ensemble
-    if (ofPhysics && !f.gates.passed(gateKind::stability))
-    {
-        sum = min(sum, 0.77);
-    }
-
-    // 37 of 44 such verdicts were right where the solver made the recordings,
-    // 30 of 61 from the training ensemble (validation/concealed). Not where runs are
-    // missing.
-    const bool asked = f.failing.empty() && f.failedRuns.empty();
-    if (f.verdict == verdictKind::unknown && asked && !f.isUnproved())
-    {
-        sum = max(sum, 0.7);
-    }
-    f.confidence = min(sum, set.ceiling);
 }

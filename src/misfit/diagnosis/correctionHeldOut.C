@@ -66,11 +66,13 @@ bool Foam::misfit::correctionFitter::holdsIn
         (
             heldOut::part::experiment, other.experiment, other.use, recorded,
             validates ? before.validation : before.test,
-            validates ? after.validation : after.test, known, s_.set().adequacy
+            validates ? after.validation : after.test, known, s_.set()
         )
     );
     const heldOut& h = found_.held.last();
-    return h.squareAfter < max(0.5*(h.squareBefore + 1), matchLimit(h));
+    const scalar left =
+        1 + s_.set().leftIfConfirmed*(h.squareBefore - 1);
+    return h.squareAfter < max(left, h.limitOfMatch);
 }
 
 
@@ -96,7 +98,7 @@ void Foam::misfit::correctionFitter::test
                 heldOut::part::validation, here, purpose::validation,
                 m_.validation->data(), given_.validation, f.given.validation,
                 m_.validation->uncertainty(),
-                set.adequacy
+                set
             )
         );
     }
@@ -107,7 +109,7 @@ void Foam::misfit::correctionFitter::test
         (
             heldOut::part::test, here, purpose::test, testData,
             given_.test, f.given.test, covariance(testData, set.clockUncertainty),
-            set.adequacy
+            set
         )
     );
     label asked = 0;

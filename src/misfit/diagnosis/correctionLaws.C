@@ -121,7 +121,7 @@ Foam::misfit::correctionFit Foam::misfit::correctionFitter::follow
     sort();
 
     // In the solver, too, until the best of those that run was computed
-    for (label n = 0; n < 3; ++n)
+    for (label n = 0; n < s_.set().refit; ++n)
     {
         correctionFit& first = fits[order[0]];
         const scalar limit = free.explained.score + s_.set().gap;

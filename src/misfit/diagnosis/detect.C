@@ -217,10 +217,11 @@ std::vector<Foam::misfit::place> Foam::misfit::locateNamed
     const finding& f
 )
 {
-    // Half of what is left counts, too: nature's formula may be another one
+    // What is left counts, too: nature's formula may be another one
     const stacked& data = m.calibration->data();
+    const scalar share = s.set().residualShare;
     const vec explained =
-        0.5*(f.after - f.before) + 0.5*(data.y - f.before);
+        (1 - share)*(f.after - f.before) + share*(data.y - f.before);
     return placed
     (
         statistics::stretches

@@ -66,14 +66,18 @@ gate gapGate(const explanations& e, const settings& set)
 }
 
 
-//- True if something unknown beside the mechanisms of the best gains two thirds of
-//  the score and more
-bool isMostlyUnknown(const explanations& e, const scalar alone)
+//- True if something unknown beside the mechanisms of the best gains most of the score
+bool isMostlyUnknown
+(
+    const rules& limits,
+    const explanations& e,
+    const scalar alone
+)
 {
     const hypothesis& what = e.best().what;
     return
         what.unknown && what.mechanisms.size()
-     && alone < (e.baseline().score - e.best().score)/3;
+     && alone < limits.ownShare*(e.baseline().score - e.best().score);
 }
 
 
@@ -94,7 +98,7 @@ gate adequacyGate
             s.set().adequacy
         )
     );
-    g.applies = !e.best().what.unknown || isMostlyUnknown(e, alone);
+    g.applies = !e.best().what.unknown || isMostlyUnknown(s.set(), e, alone);
     return g;
 }
 

@@ -185,7 +185,7 @@ class otherExperiments
                 compared
                 (
                     what, other.experiment, use, data, from,
-                    withFault(m_, best_, data, to), c, s_.set().adequacy
+                    withFault(m_, best_, data, to), c, s_.set()
                 )
             );
         };
@@ -299,7 +299,7 @@ Foam::List<Foam::misfit::heldOut> Foam::misfit::compared
     const vec& before,
     const vec& after,
     const covariance& known,
-    const scalar adequacy
+    const rules& limits
 )
 {
     const label n = data.size();
@@ -319,15 +319,19 @@ Foam::List<Foam::misfit::heldOut> Foam::misfit::compared
         {
             what, experiment, use, data, before, after,
             uncertain.diagonal().cwiseSqrt(), square(before), square(after),
-            statistics::chanceOfSquare(n, adequacy)
+            statistics::chanceOfSquare(n, limits.adequacy), matchLimit(n, limits)
         }
     );
 }
 
 
-Foam::scalar Foam::misfit::matchLimit(const heldOut& h)
+Foam::scalar Foam::misfit::matchLimit(const label samples, const rules& limits)
 {
-    return max(1.5, statistics::chanceOfSquare(h.data.size(), 0.01));
+    return max
+    (
+        limits.matchedSquare,
+        statistics::chanceOfSquare(samples, limits.matchedChance)
+    );
 }
 
 
@@ -373,7 +377,7 @@ Foam::misfit::heldOutTest Foam::misfit::testHeldOut
                 heldOut::part::validation, here, purpose::validation, data,
                 before.given.validation,
                 withFault(m, e.best(), data, after.given.validation),
-                known, s.set().adequacy
+                known, s.set()
             )
         );
     }
@@ -385,7 +389,7 @@ Foam::misfit::heldOutTest Foam::misfit::testHeldOut
             heldOut::part::test, here, purpose::test, testData,
             before.given.test,
             withFault(m, e.best(), testData, after.given.test),
-            covariance(testData, s.set().clockUncertainty), s.set().adequacy
+            covariance(testData, s.set().clockUncertainty), s.set()
         )
     );
 

@@ -11,7 +11,12 @@ using namespace Foam;
 using namespace Foam::misfit;
 
 //- The mean square that the best explanation may leave there
-scalar heldOutLimit(const hypothesis& what, const heldOut& h)
+scalar heldOutLimit
+(
+    const rules& limits,
+    const hypothesis& what,
+    const heldOut& h
+)
 {
     // One sensor leaves the others as they are
     if (what.isNone() || blamesOneSensor(what))
@@ -19,15 +24,23 @@ scalar heldOutLimit(const hypothesis& what, const heldOut& h)
         return h.limitOfNothing;
     }
 
-    // 1 is what uncertainty alone leaves. Of the rest a third must go, as another
-    // formula errs elsewhere; half where something else is missing too
+    // 1 is what uncertainty alone leaves. Of the rest not all must go, as another
+    // formula errs elsewhere
     const scalar rest = max(h.squareBefore - 1, 0.0);
-    const scalar share = what.fault ? 1.1 : what.unknown ? 0.5 : 2.0/3;
-    return max(1 + rest*share, matchLimit(h));
+    const scalar share =
+        what.fault ? limits.leftByRegistration
+      : what.unknown ? limits.leftBesideUnknown : limits.leftOfMisfit;
+    return max(1 + rest*share, h.limitOfMatch);
 }
 
 
-gate heldOutGate(const hypothesis& what, const heldOut& h, const label number)
+gate heldOutGate
+(
+    const rules& limits,
+    const hypothesis& what,
+    const heldOut& h,
+    const label number
+)
 {
     gate g
     (
@@ -35,13 +48,13 @@ gate heldOutGate(const hypothesis& what, const heldOut& h, const label number)
         (
             h.isHere() ? gateKind::heldOut : gateKind::transfer,
             h.squareAfter,
-            heldOutLimit(what, h)
+            heldOutLimit(limits, what, h)
         )
     );
     g.held = number;
 
     // Where nothing was wrong before, what stays so confirms nothing
-    const bool nothingToAsk = h.squareBefore < matchLimit(h) && g.passed;
+    const bool nothingToAsk = h.squareBefore < h.limitOfMatch && g.passed;
     g.applies = what.isNone() || (!what.isOnlyUnknown() && !nothingToAsk);
     return g;
 }
@@ -83,19 +96,19 @@ bool Foam::misfit::blamesOneSensor(const hypothesis& h)
 }
 
 
-bool Foam::misfit::isConfirmed(const List<heldOut>& held)
+bool Foam::misfit::isConfirmed(const List<heldOut>& held, const rules& limits)
 {
     bool some = false;
     for (const heldOut& h : held)
     {
-        if (h.use == purpose::validation && h.squareBefore > matchLimit(h))
+        if (h.use == purpose::validation && h.squareBefore > h.limitOfMatch)
         {
-            const scalar half = 0.5*(1 + h.squareBefore);
-            if (h.squareAfter > max(half, matchLimit(h)))
+            const scalar left = 1 + limits.leftIfConfirmed*(h.squareBefore - 1);
+            if (h.squareAfter > max(left, h.limitOfMatch))
             {
                 return false;
             }
-            some = some || h.squareAfter <= half;
+            some = some || h.squareAfter <= left;
         }
     }
     return some;
@@ -120,7 +133,7 @@ void Foam::misfit::askHeldOut
     {
         if (held[i].use == purpose::validation)
         {
-            gates.add(heldOutGate(best.what, held[i], i));
+            gates.add(heldOutGate(s.set(), best.what, held[i], i));
         }
         if (held[i].what == heldOut::part::validation)
         {

@@ -72,7 +72,7 @@ void preferAmongRivals(const study& s, const models& m, explanations& e)
 Foam::misfit::refitted Foam::misfit::refit
 (
     const scored& start,
-    const label passes,
+    const rules& limits,
     const vec& width,
     const refitting& with
 )
@@ -83,7 +83,7 @@ Foam::misfit::refitted Foam::misfit::refit
     scored onward(start);
     scored next(start);
     scalar share = 1;
-    for (label pass = 0; pass < passes; ++pass)
+    for (label pass = 0; pass < limits.passes; ++pass)
     {
         const vec x = with.expand(next);
         const samples given(with.compute(x));
@@ -119,7 +119,10 @@ Foam::misfit::refitted Foam::misfit::refit
         share = better ? 1 : 0.5*share;
 
         const vec step = with.expand(onward) - with.expand(least);
-        if (!step.size() || step.cwiseQuotient(width).cwiseAbs().maxCoeff() < 0.05)
+        const bool stays =
+            !step.size()
+         || step.cwiseQuotient(width).cwiseAbs().maxCoeff() < limits.settled;
+        if (stays)
         {
             r.best = onward;
             return r;
@@ -166,7 +169,7 @@ Foam::misfit::refitted Foam::misfit::refit
     {
         return white ? score().again(now, *white) : score().withOwnCovariance(now);
     };
-    return refit(start, s.set().passes, s.width(), with);
+    return refit(start, s.set(), s.width(), with);
 }
 
 

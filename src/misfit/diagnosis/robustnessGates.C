@@ -181,15 +181,16 @@ Foam::misfit::gate Foam::misfit::placeboGate
     const vec effect = best.best.f - base;
     const whitener white(e.baseline().covariance);
     const bool canMove =
-        !isConfirmed(held)
-     && likeness(white(effect), white(halfRoundLater(data, effect))) < 0.7;
+        !isConfirmed(held, set)
+     && likeness(white(effect), white(halfRoundLater(data, effect)))
+      < set.lastingEffect;
     if (canMove)
     {
         copy->record(base + halfRoundLater(data, vec(y - base)));
         placebo = max(placebo, gain(*copy, best.what, set.modelDiscrepancy));
     }
 
-    gate g(gate::below(gateKind::placebo, placebo, 0.5*alone));
+    gate g(gate::below(gateKind::placebo, placebo, set.placebo*alone));
     g.applies = best.what.mechanisms.size() && alone >= set.evidence;
     g.gained = alone;
     g.moved = canMove;

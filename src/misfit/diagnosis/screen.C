@@ -13,6 +13,7 @@ using namespace Foam::misfit;
 //  and none as expected
 bool isOpposite
 (
+    const rules& limits,
     const candidate& c,
     const stacked& data,
     const std::vector<vec>& changes
@@ -27,8 +28,9 @@ bool isOpposite
         {
             if (data.segments[k].quantity == e.quantity)
             {
-                asExpected = asExpected || e.sign*changes[k][f] > 3;
-                opposite = opposite || e.sign*changes[k][f] < -3;
+                const scalar change = e.sign*changes[k][f];
+                asExpected = asExpected || change > limits.oppositeSign;
+                opposite = opposite || change < -limits.oppositeSign;
             }
         }
     }
@@ -81,11 +83,11 @@ Foam::misfit::screened Foam::misfit::screen
         {
             drop(reason::failedAlways);
         }
-        else if (isOpposite(c, data, changes))
+        else if (isOpposite(s.set(), c, data, changes))
         {
             drop(reason::opposite);
         }
-        else if (largest > 3*c.bound)
+        else if (largest > s.set().aboveBound*c.bound)
         {
             drop(reason::small);
         }

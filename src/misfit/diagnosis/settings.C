@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers that a diagnosis decides by.
+// What is asked of a diagnosis, from system/misfitDict.
 
 #include "settings.H"
 #include "keywords.H"
@@ -46,46 +46,6 @@ HashTable<word> formerKeywords()
 }
 
 
-void readDecision(const dictionary& dict, settings& s)
-{
-    const dictionary decision(keywords::sub(dict, "decision"));
-    keywords::checkRenamed
-    (
-        decision, {{"formulaTolerance", "modelDiscrepancy"}}
-    );
-    keywords::check
-    (
-        decision,
-        {
-            "significance", "adequacy", "evidence", "gap", "pairGap",
-            "modelDiscrepancy", "refit", "passes", "pairs", "temperature",
-            "ceiling"
-        }
-    );
-    decision.readIfPresent("significance", s.significance);
-    decision.readIfPresent("adequacy", s.adequacy);
-    decision.readIfPresent("evidence", s.evidence);
-    decision.readIfPresent("gap", s.gap);
-    decision.readIfPresent("pairGap", s.pairGap);
-    decision.readIfPresent("modelDiscrepancy", s.modelDiscrepancy);
-    decision.readIfPresent("refit", s.refit);
-    decision.readIfPresent("passes", s.passes);
-    decision.readIfPresent("pairs", s.pairs);
-    decision.readIfPresent("temperature", s.temperature);
-    decision.readIfPresent("ceiling", s.ceiling);
-
-    const bool isShare =
-        s.significance > 0 && s.significance < 1
-     && s.adequacy > 0 && s.adequacy < 1 && s.ceiling > 0 && s.ceiling <= 1;
-    if (!isShare || s.refit < 1 || s.passes < 1)
-    {
-        FatalIOErrorInFunction(decision)
-            << "significance, adequacy and ceiling are shares between 0 and 1,"
-            << " refit and passes 1 or more" << exit(FatalIOError);
-    }
-}
-
-
 void checkSizes(const dictionary& dict, const settings& s)
 {
     const label terms = 1 + 2*(s.parameters.size() + s.candidates.size());
@@ -97,11 +57,11 @@ void checkSizes(const dictionary& dict, const settings& s)
             << " candidates needs " << terms << " runs, better twice as many" << exit(FatalIOError);
     }
     const bool repeats = s.replicates >= 1 && s.commonRandomNumbers >= 1;
-    if (!repeats || s.draws < 100 || s.temperature <= 0)
+    if (!repeats || s.draws < 100)
     {
         FatalIOErrorInFunction(dict)
             << "replicates and commonRandomNumbers must be 1 or more, draws 100 or"
-            << " more, the temperature above zero" << exit(FatalIOError);
+            << " more" << exit(FatalIOError);
     }
 }
 
@@ -123,7 +83,7 @@ Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
         }
     );
 
-    settings s;
+    settings s(keywords::sub(dict, "decision"));
     s.parameters = readParameters(keywords::sub(dict, "parameters"));
     s.candidates = readCandidates(keywords::sub(dict, "candidates"));
     s.correction = correction(dict).elements();
@@ -144,7 +104,6 @@ Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
     s.seed = dict.getOrDefault<label>("seed", s.seed);
 
     s.faults = readFaults(dict);
-    readDecision(dict, s);
     checkSizes(dict, s);
     return s;
 }

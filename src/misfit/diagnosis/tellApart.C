@@ -103,7 +103,7 @@ Foam::misfit::advice Foam::misfit::measurementBetween
             result.at = channel.x[i];
         }
     }
-    if (result.times > 2)
+    if (result.times > s.set().tellingApart)
     {
         result.what = advice::kind::measure;
     }

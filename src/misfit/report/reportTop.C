@@ -79,10 +79,10 @@ std::string sureThat(const finding& f)
 std::string gone(const heldOut& h)
 {
     // A mean square of 1 is chance
-    if (h.squareBefore < matchLimit(h))
+    if (h.squareBefore < h.limitOfMatch)
     {
         return
-            h.squareAfter < matchLimit(h)
+            h.squareAfter < h.limitOfMatch
           ? "there was no misfit beyond chance: it neither confirms nor denies"
           : "a misfit comes that was not there";
     }

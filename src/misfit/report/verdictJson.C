@@ -18,7 +18,7 @@ using namespace Foam::misfit;
 using json = nlohmann::ordered_json;
 
 //- Of the record: grows with each change of what its keys are or mean
-constexpr label schema = 3;
+constexpr label schema = 4;
 
 
 json list(const wordList& names)
@@ -265,6 +265,18 @@ json failedRuns(const finding& f)
 }
 
 
+//- Null where no case of the table is like it
+json grounds(const finding& f)
+{
+    json all = nullptr;
+    for (label i = 0; i < f.grounds.size(); ++i)
+    {
+        all[groundNames[i]] = f.grounds[i];
+    }
+    return all;
+}
+
+
 json dropped(const finding& f)
 {
     json all = json::array();
@@ -307,6 +319,7 @@ std::string Foam::misfit::verdictJson(const finding& f, const string& title)
         {"names", list(answerOf(f))},
         {"words", describe(f)},
         {"confidence", std::round(1000*f.confidence)/1000},
+        {"confidenceFrom", grounds(f)},
         {"strengths", strengths(f)},
         {"fault", fault(f)},
         {"detection", {{"pRaw", f.raw.p}, {"p", f.detection.p}}},

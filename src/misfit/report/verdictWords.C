@@ -236,7 +236,7 @@ string whatIsStillOff(const finding& f)
     os.precision(3);
     for (const heldOut& h : f.tested)
     {
-        if (h.use == purpose::validation && h.squareAfter > matchLimit(h))
+        if (h.use == purpose::validation && h.squareAfter > h.limitOfMatch)
         {
             os  << " It does not yet match " << describe(h).c_str()
                 << ": mean square " << h.squareAfter << ", a match is 1.";

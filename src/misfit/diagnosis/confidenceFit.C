@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Fits the table of confidences to cases whose cause is known.
+
+#include "confidenceFit.H"
+#include "tableColumns.H"
+#include "verdictKind.H"
+
+#include <algorithm>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+#include <stdexcept>
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+//- A row of the file: the fit to the cases of one verdict
+std::string fittedRow
+(
+    const word& verdict,
+    const std::vector<knownCase>& cases,
+    const scalar shrinkage
+)
+{
+    statistics::mat x(0, groundNames.size());
+    std::vector<bool> right;
+    for (const knownCase& c : cases)
+    {
+        if (c.verdict == verdict)
+        {
+            x.conservativeResize(x.rows() + 1, Eigen::NoChange);
+            x.bottomRows(1) = c.grounds.transpose();
+            right.push_back(c.right);
+        }
+    }
+    if (right.empty())
+    {
+        FatalErrorInFunction
+            << "No case has the verdict " << verdict << ", so that its confidence"
+            << " cannot be fitted: make more cases" << exit(FatalError);
+    }
+    const statistics::logistic fit
+    (
+        statistics::fitLogistic(x, right, shrinkage)
+    );
+    std::ostringstream os;
+    os << std::setprecision(4) << '\n' << verdict << "\n{\n"
+        << "    cases       " << right.size() << ";\n"
+        << "    right       " << std::count(right.begin(), right.end(), true)
+        << ";\n"
+        << "    constant    " << fit.constant << ";\n";
+    forAll(groundNames, i)
+    {
+        // What the fit leaves where nothing is to be told is rounding
+        const scalar least = x.col(i).minCoeff();
+        const scalar largest = x.col(i).maxCoeff();
+        const bool changes = mag(fit.coefficients[i])*(largest - least) > 1e-6;
+        os << "    " << std::left << std::setw(12) << groundNames[i] << '('
+            << (changes ? fit.coefficients[i] : 0) << ' ' << least << ' '
+            << largest << ");\n";
+    }
+    os << "}\n";
+    return os.str();
+}
+
+} // End anonymous namespace
+
+
+std::vector<Foam::misfit::knownCase>
+Foam::misfit::readKnownCases(const fileName& file)
+{
+    std::ifstream is(file);
+    if (!is)
+    {
+        FatalErrorInFunction
+            << "There are no scored cases " << file
+            << ": misfitConceal -score writes such a cases.csv" << exit(FatalError);
+    }
+    std::vector<std::string> names({"right"});
+    names.insert(names.end(), groundNames.begin(), groundNames.end());
+    std::vector<knownCase> cases;
+    try
+    {
+        const statistics::mat numbers(statistics::readColumns(is, names));
+        is.clear();
+        is.seekg(0);
+        std::string line;
+        std::getline(is, line);
+        const std::vector<std::string> heads(statistics::cellsOf(line));
+        const auto at = std::find(heads.begin(), heads.end(), "verdict");
+        for (label i = 0; i < numbers.rows() && at != heads.end(); ++i)
+        {
+            std::getline(is, line);
+            const word verdict(statistics::cellsOf(line)[at - heads.begin()]);
+            cases.push_back
+            ({
+                verdict, numbers.row(i).tail(groundNames.size()).transpose(),
+                numbers(i, 0) > 0.5
+            });
+        }
+        if (cases.empty() || !numbers.allFinite())
+        {
+            throw std::invalid_argument
+            (
+                "it needs a column verdict, and a number in each cell of the others"
+            );
+        }
+    }
+    catch (const std::invalid_argument& e)
+    {
+        FatalErrorInFunction
+            << "Confidences cannot be fitted to " << file << ": " << e.what()
+            << exit(FatalError);
+    }
+    return cases;
+}
+
+
+std::string Foam::misfit::fittedTable
+(
+    const std::vector<knownCase>& cases,
+    const scalar shrinkage
+)
+{
+    std::string text
+    (
+        "// How often verdicts were right in " + std::to_string(cases.size())
+      + " cases whose cause was known.\n"
+        "// Fitted by misfitConceal -calibrate, whose page says what each number is;"
+        " not to be edited.\n"
+        "// logit of the probability = constant + sum of coefficient x value. Of each"
+        " ground:\n"
+        "// (coefficient, least value, largest value); values beyond count as these.\n"
+        "\nFoamFile\n{\n    version     2.0;\n    format      ascii;\n"
+        "    class       dictionary;\n    object      confidence;\n}\n"
+    );
+    for (const word& verdict : verdictNames.sortedToc())
+    {
+        text += fittedRow(verdict, cases, shrinkage);
+    }
+    return text;
+}
