@@ -16,6 +16,7 @@
 
 using namespace Foam;
 using namespace Foam::misfit;
+using statistics::count;
 
 namespace
 {
@@ -144,18 +145,35 @@ TEST(misfitConfidence, theTableIsReadBackAsItWasFitted)
 {
     const temporaryFolder scratch;
     const fileName file(fileName(scratch)/"table");
-    writeWhole(file, fittedTable(drawnCases(400)));
+    const std::vector<knownCase> cases(drawnCases(400));
+    writeWhole(file, fittedTable(cases, 100));
     const confidenceTable table(file);
+
+    // That of the numbers that vary, as it is written: with four digits
+    mat x(400, 1);
+    std::vector<bool> right;
+    for (const knownCase& c : cases)
+    {
+        if (c.verdict == "set")
+        {
+            x(count(right), 0) = c.grounds[0];
+            right.push_back(c.right);
+        }
+    }
+    const statistics::logistic fit(statistics::fitLogistic(x, right, 100));
     vec grounds = vec::Zero(groundNames.size());
     for (const scalar lead : {-1.5, 0., 1.5})
     {
         grounds[0] = lead;
-        EXPECT_NEAR(table("set", grounds), 1/(1 + std::exp(-lead)), 0.07) << lead;
+        EXPECT_NEAR(table("set", grounds), fit(vec::Constant(1, lead)), 1e-3);
     }
 
     // No case had more than that
     grounds[0] = 1e6;
-    EXPECT_LT(table("set", grounds), 0.95);
+    EXPECT_NEAR
+    (
+        table("set", grounds), fit(vec::Constant(1, x.maxCoeff())), 1e-3
+    );
 }
 
 

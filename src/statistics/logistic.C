@@ -5,6 +5,7 @@
 
 #include <unsupported/Eigen/NonLinearOptimization>
 
+#include <cfenv>
 #include <cmath>
 #include <stdexcept>
 
@@ -104,9 +105,16 @@ statistics::logistic statistics::fitLogistic
     f.precision = vec::Constant(k + 1, 1/sqr(shrinkage));
     f.precision[0] = 0;
 
+    // Its rotations may divide by zero where nothing is to be rotated
     vec c = vec::Zero(k + 1);
     Eigen::HybridNonLinearSolver<likelihood> solver(f);
-    if (solver.hybrj1(c) != Eigen::HybridNonLinearSolverSpace::RelativeErrorTooSmall)
+    std::fenv_t traps;
+    std::feholdexcept(&traps);
+    solver.hybrj1(c);
+    std::fesetenv(&traps);
+    vec slopes(k + 1);
+    f(c, slopes);
+    if (!slopes.allFinite() || slopes.norm() > 1e-6*n)
     {
         throw std::domain_error("the fit of a logistic function does not converge");
     }
