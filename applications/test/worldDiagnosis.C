@@ -93,19 +93,6 @@ void Foam::misfit::expectFault
 }
 
 
-bool Foam::misfit::hasOneOf(const hypothesis& h, const std::vector<int>& mechanisms)
-{
-    for (const int m : mechanisms)
-    {
-        if (statistics::contains(h.mechanisms, m))
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-
 bool Foam::misfit::hasAll(const hypothesis& h, const std::vector<int>& mechanisms)
 {
     for (const int m : mechanisms)
