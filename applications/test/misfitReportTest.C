@@ -33,6 +33,7 @@ finding found()
     f.verdict = verdictKind::named;
     f.names = {"porePressure"};
     f.confidence = 0.9;
+    f.grounds = vec::LinSpaced(groundNames.size(), 1, groundNames.size());
     f.detection = {0.001, 0.001, 0.001, 100, {{0, 5, 9, 12}}};
     f.raw = f.detection;
     f.located = {{{0, 5, 9, 12}, 50}};
@@ -177,6 +178,9 @@ TEST(misfitReport, theRecordIsOfItsSchemaAndReadsBackAsItWasFound)
     EXPECT_EQ(verdictNames[word(j["verdict"].get<std::string>())], f.verdict);
     EXPECT_EQ(j["names"].get<std::vector<std::string>>().front(), f.names[0]);
     EXPECT_EQ(j["confidence"], f.confidence);
+    EXPECT_EQ(j["confidenceFrom"].size(), groundNames.size());
+    EXPECT_EQ(j["confidenceFrom"]["lead"], 1);
+    EXPECT_EQ(j["confidenceFrom"]["more"], groundNames.size());
     EXPECT_EQ(j["strengths"][0]["name"], f.strengths[0].name);
     EXPECT_EQ(j["strengths"][0]["value"], f.strengths[0].value);
     EXPECT_EQ(j["detection"]["p"], f.detection.p);
