@@ -278,6 +278,35 @@ TEST(ParallelMaterialPointsPhase, aStateBeyondTheBuffersOfMPIIsWritten)
 }
 
 
+TEST(materialPointsPhase, aBodyIsDampedWhileItSettles)
+{
+    testMesh box(slice());
+    auto phase = points
+    (
+        box.mesh(),
+        "box ((0.3 0 0.2) (0.4 1 0.3)); } settling { time 0.05; damping 100;"
+    );
+
+    // Free fall against a damping of 100/s, up to g/100; then without
+    const scalar t = phase->exchangeInterval();
+    Time& time = box.time();
+    scalar fastest = 0;
+    label i = 0;
+    for (; time.value() < 0.05; ++i)
+    {
+        time.setTime((i + 1)*t, i + 1);
+        phase->advance();
+        fastest = max(fastest, mag(phase->velocity()[5].z()));
+    }
+    EXPECT_LT(fastest, 9.81/100);
+    EXPECT_GT(fastest, 0.9*9.81/100);
+
+    const scalar before = phase->velocity()[5].z();
+    phase->advance();
+    EXPECT_NEAR(phase->velocity()[5].z(), before - 9.81*t, 1e-9);
+}
+
+
 TEST(materialPointsPhase, pointsLeaveThroughAnOutflowAndAreCounted)
 {
     testMesh box(slice("patch"));

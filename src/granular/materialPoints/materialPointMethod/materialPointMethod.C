@@ -103,7 +103,7 @@ void Foam::materialPointMethod::step(const scalar dt, const scalar damping)
         sinceSorted_ = 1;
     }
 
-    if (damping > 0)
+    if (damping > 0 || max(damping_) > 0)
     {
         damp(dt, damping);
     }
@@ -138,12 +138,29 @@ void Foam::materialPointMethod::step(const scalar dt, const scalar damping)
 
 void Foam::materialPointMethod::damp(const scalar dt, const scalar damping)
 {
-    const scalar kept = max(1 - damping*dt, scalar(0));
+    scalarField kept(damping_.size());
+    forAll(kept, body)
+    {
+        kept[body] = max(1 - (damping + damping_[body])*dt, scalar(0));
+    }
 
     forAll(points_.x, i)
     {
-        points_.U[i] *= kept;
-        points_.gradient[i] *= kept;
+        points_.U[i] *= kept[points_.body[i]];
+        points_.gradient[i] *= kept[points_.body[i]];
+    }
+}
+
+
+void Foam::materialPointMethod::forgetStrain(const label body)
+{
+    forAll(points_.x, i)
+    {
+        if (points_.body[i] == body)
+        {
+            points_.strain[i] = 0;
+            points_.netStrain[i] = Zero;
+        }
     }
 }
 

@@ -37,6 +37,7 @@ void Foam::materialPointMethod::addBodies
         dictionary law(body.dict());
         law.remove("region");
         law.remove("walls");
+        law.remove("settling");
         law.remove("U");
         law.remove("solidDensity");
 
@@ -55,6 +56,8 @@ void Foam::materialPointMethod::addBodies
             << "No body in bodies: give a dictionary with law, density, E, nu"
             << " and region for each." << exit(FatalIOError);
     }
+
+    damping_.setSize(laws_.size(), 0);
 
     if (dict.found("contact"))
     {

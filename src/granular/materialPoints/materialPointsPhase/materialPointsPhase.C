@@ -93,6 +93,7 @@ Foam::materialPointsPhase::materialPointsPhase
     restarted_ = state.size();
     method_.addBodies(dict_, !restarted_);
     setWallFriction();
+    readSettling();
 
     for (const word& body : method_.bodies())
     {
@@ -162,6 +163,56 @@ void Foam::materialPointsPhase::setFluidForce
 }
 
 
+void Foam::materialPointsPhase::readSettling()
+{
+    for (const word& body : method_.bodies())
+    {
+        const dictionary settling
+        (
+            keywords::sub
+            (
+                dict_.subDict("bodies").subDict(body),
+                "settling",
+                {"time", "damping"}
+            )
+        );
+        const scalar rate = settling.getOrDefault<scalar>("damping", 20);
+        const scalar time = settling.getOrDefault<scalar>("time", 0);
+
+        if (!(rate > 0 && time >= 0))
+        {
+            FatalIOErrorInFunction(settling)
+                << "settling of " << body << " has damping " << rate
+                << " 1/s and time " << time << " s; damping must be above zero"
+                << " and time not below." << exit(FatalIOError);
+        }
+
+        const label i = settledAt_.size();
+        settledAt_.append(time);
+        settles_.append(mesh_.time().value() < time*(1 - 1e-9));
+        method_.setDamping(i, settles_[i] ? rate : 0);
+    }
+}
+
+
+void Foam::materialPointsPhase::endSettling()
+{
+    forAll(settledAt_, body)
+    {
+        if
+        (
+            settles_[body]
+         && mesh_.time().value() >= settledAt_[body]*(1 - 1e-9)
+        )
+        {
+            settles_[body] = false;
+            method_.setDamping(body, 0);
+            method_.forgetStrain(body);
+        }
+    }
+}
+
+
 void Foam::materialPointsPhase::advance()
 {
     method_.points().before = method_.points().U;
@@ -177,6 +228,7 @@ void Foam::materialPointsPhase::advance()
         remaining -= dt;
     }
 
+    endSettling();
     refresh();
 }
 
