@@ -101,10 +101,15 @@ Foam::scalar Foam::pointContact::flatness
 )
 {
     // The moment of a half-space that has the share s of a cell is close to
-    // 0.65 (s(1 - s))^0.84 in cells and spacings
+    // 0.65 (s(1 - s))^0.84 in cells and spacings; of points in rows up to 5 %
+    // more. Beyond that they are clumps
+    constexpr scalar most = 1.2;
     const scalar share = min(max(inward[0]/cell, 0.01), 0.99);
+    const scalar ratio =
+        inner(inward, inward)
+       /sqr(0.65*std::pow(share*(1 - share), 0.84)*cell);
 
-    return inner(inward, inward)/std::pow(share*(1 - share), 1.68);
+    return ratio < most ? ratio : sqr(most)/ratio;
 }
 
 
