@@ -274,10 +274,13 @@ TEST(misfitReport, theConfidenceSaysOfWhat)
         says
         (
             box(f),
-            "Confidence 90 % that this is at least part of what is missing, among"
-            " the explanations that were scored."
+            "Confidence 90 % that this is at least part of what is missing, the"
+            " fraction of such verdicts that was right in cases whose cause was known."
         )
     );
+    finding uncounted(f);
+    uncounted.grounds.resize(0);
+    EXPECT_TRUE(says(box(uncounted), "missing, by its score alone: no case"));
     f.verdict = verdictKind::set;
     f.names.clear();
     f.alternatives = {mechanisms({0}), mechanisms({1})};

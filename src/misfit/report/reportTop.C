@@ -75,6 +75,16 @@ std::string sureThat(const finding& f)
 }
 
 
+//- What the number is from
+std::string sureFrom(const finding& f)
+{
+    return
+        f.grounds.size()
+      ? ", the fraction of such verdicts that was right in cases whose cause was known."
+      : ", by its score alone: no case whose cause was known had such a law.";
+}
+
+
 //- What the finding does to the misfit of held-out data
 std::string gone(const heldOut& h)
 {
@@ -144,7 +154,7 @@ std::string answer(const finding& f, const origin& from)
     }
     text +=
         "<br>Confidence " + percent(f.confidence) + ' ' + escaped(sureThat(f))
-      + ", among the explanations that were scored."
+      + sureFrom(f)
       + describeHeldOut(f) + describeDropped(f);
     if (f.answer.size())
     {

@@ -2,15 +2,12 @@
 // Runs, each kept under the hash of its case, so that none is done twice.
 
 #include "runStore.H"
-#include "keywords.H"
 #include "programFiles.H"
 #include "temporaryFolder.H"
 #include "textFile.H"
 
-#include "IFstream.H"
 #include "OSspecific.H"
 #include "SHA1.H"
-#include "stringOps.H"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -21,10 +18,6 @@ namespace
 {
 
 using namespace Foam;
-
-//- In a decomposeParDict that etc/cutAlong wrote
-const string cutByUs("// Cuts along the chute");
-
 
 //- What etc/misfitRun says before the limit [s] that a run did not keep
 const string tookLonger(" took longer than ");
@@ -92,29 +85,6 @@ Foam::word Foam::misfit::runStore::name(const wantedRun& run) const
         all += '\n' + c;
     }
     return word(SHA1(all).digest().str().substr(0, 12), false);
-}
-
-
-void Foam::misfit::runStore::checkPrograms() const
-{
-    for (const string& c : commands_)
-    {
-        const auto words(stringOps::splitSpace(c));
-        const string program(words.empty() ? string() : words[0].str());
-
-        // What has a path may be made by an earlier command
-        if
-        (
-            program.find('/') == string::npos
-         && Foam::system("command -v " + inQuotes(program) + " >/dev/null")
-        )
-        {
-            FatalErrorInFunction
-                << "There is no program '" << program.c_str() << "', which"
-                << " commands in " << dictName_ << " begins with. Mend the"
-                << " name, or build it" << exit(FatalError);
-        }
-    }
 }
 
 
@@ -197,53 +167,6 @@ void Foam::misfit::runStore::make(const wordHashSet& todo) const
                 << " has no file 'finished', or an empty one. Is the disk full, or"
                 << " the folder not yours to write? Mend that and start misfitFoam"
                 << " again to go on" << exit(FatalError);
-        }
-    }
-}
-
-
-void Foam::misfit::runStore::checkSamePrograms(const List<wantedRun>& runs)
-{
-    const string now(programFiles(commands_, folder_/"run"/"case"));
-    wordHashSet others;
-    for (const wantedRun& run : runs)
-    {
-        const string then(contentOf(folder_/name(run)/"programs"));
-        if (isFinished(run) && then.size() && then != now)
-        {
-            others.insert(name(run));
-        }
-    }
-
-    if (others.size() && !warnedOfPrograms_)
-    {
-        warnedOfPrograms_ = true;
-        WarningInFunction
-            << "Finished runs in " << folder_ << " are used that were done before"
-            << " programs or libraries changed, " << others.sortedToc().first()
-            << " for instance (said once)." << nl
-            << "    Remove their folders if these compute something else now."
-            << endl;
-    }
-}
-
-
-void Foam::misfit::runStore::checkCut() const
-{
-    const fileName file(template_.folder()/"system"/"decomposeParDict");
-    const string text(contentOf(file));
-
-    if (ranks_ > 1 && text.size() && text.find(cutByUs) == string::npos)
-    {
-        const label n =
-            dictionary(IFstream(file)()).get<label>("numberOfSubdomains");
-
-        if (n != ranks_)
-        {
-            FatalErrorInFunction
-                << file << " cuts the case into " << n << " parts, and ranks in "
-                << dictName_ << " is " << ranks_ << ". Let them be the same, or"
-                << " remove the file: it is cut along x then" << exit(FatalError);
         }
     }
 }
