@@ -80,7 +80,8 @@ std::string sureFrom(const finding& f)
 {
     return
         f.grounds.size()
-      ? ", the fraction of such verdicts that was right in cases whose cause was known."
+      ? ", the fraction of such verdicts that was right in cases whose cause was"
+        " known."
       : ", by its score alone: no case whose cause was known had such a law.";
 }
 
