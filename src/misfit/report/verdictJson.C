@@ -21,25 +21,28 @@ using json = nlohmann::ordered_json;
 constexpr label schema = 4;
 
 
-json list(const wordList& names)
+//- An array with what a function makes of each
+template<class Container, class Function>
+json each(const Container& things, const Function& written)
 {
     json all = json::array();
-    for (const word& name : names)
+    for (const auto& thing : things)
     {
-        all.push_back(name);
+        all.push_back(written(thing));
     }
     return all;
 }
 
 
+json list(const wordList& names)
+{
+    return each(names, [](const word& name) { return json(name); });
+}
+
+
 json numbers(const vec& v)
 {
-    json all = json::array();
-    for (const scalar value : v)
-    {
-        all.push_back(value);
-    }
-    return all;
+    return each(v, [](const scalar value) { return json(value); });
 }
 
 
@@ -121,20 +124,15 @@ json fault(const finding& f)
 }
 
 
-json strengths(const finding& f)
+json strength(const foundStrength& s)
 {
-    json all = json::array();
-    for (const foundStrength& s : f.strengths)
+    return
     {
-        all.push_back
-        ({
-            {"name", s.name},
-            {"value", s.value},
-            {"deviation", deviation(s.deviation, s.pinned)},
-            {"atBound", s.pinned}
-        });
-    }
-    return all;
+        {"name", s.name},
+        {"value", s.value},
+        {"deviation", deviation(s.deviation, s.pinned)},
+        {"atBound", s.pinned}
+    };
 }
 
 
@@ -159,58 +157,55 @@ json located(const finding& f)
 }
 
 
-json heldOuts(const List<heldOut>& held)
+json match(const heldOut& h)
 {
-    json all = json::array();
-    for (const heldOut& h : held)
+    return
     {
-        all.push_back
-        ({
-            {"what", describe(h)},
-            {"use", purposeNames[h.use]},
-            {"meanSquareBefore", h.squareBefore},
-            {"meanSquareAfter", h.squareAfter}
-        });
-    }
-    return all;
+        {"what", describe(h)},
+        {"use", purposeNames[h.use]},
+        {"meanSquareBefore", h.squareBefore},
+        {"meanSquareAfter", h.squareAfter}
+    };
 }
 
 
-//- What S8 found; null where it was not asked for
+json element(const freeElement& e)
+{
+    return
+    {
+        {"name", e.element.name},
+        {"words", describe(e.element, e.value)},
+        {"value", e.value},
+        {"deviation", e.deviation}
+    };
+}
+
+
+json law(const fittedLaw& l)
+{
+    return
+    {
+        {"family", l.law.family},
+        {"groups", list(l.law.groups)},
+        {"words", describe(l)},
+        {"lead", l.lead}
+    };
+}
+
+
+//- Null where it was not asked for
 json freeCorrection(const correctionFound& c)
 {
     if (!c.asked)
     {
         return nullptr;
     }
-    json parts = json::array();
-    for (const freeElement& p : c.elements)
-    {
-        parts.push_back
-        ({
-            {"name", p.element.name},
-            {"words", describe(p.element, p.value)},
-            {"value", p.value},
-            {"deviation", p.deviation}
-        });
-    }
-    json laws = json::array();
-    for (const fittedLaw& l : c.laws)
-    {
-        laws.push_back
-        ({
-            {"family", l.law.family},
-            {"groups", list(l.law.groups)},
-            {"words", describe(l)},
-            {"lead", l.lead}
-        });
-    }
     return
     {
         {"words", describe(c)},
         {"gain", c.gain},
-        {"elements", parts},
-        {"laws", laws},
+        {"elements", each(c.elements, &element)},
+        {"laws", each(c.laws, &law)},
         {"explainedByFirstLaw", c.explained},
         {"transfers", c.transfers},
         {"named", c.named},
@@ -254,17 +249,6 @@ json posterior(const finding& f)
 }
 
 
-json failedRuns(const finding& f)
-{
-    json all = json::array();
-    for (const failedRun& run : f.failedRuns)
-    {
-        all.push_back(describe(run));
-    }
-    return all;
-}
-
-
 //- Null where no case of the table is like it
 json grounds(const finding& f)
 {
@@ -277,14 +261,15 @@ json grounds(const finding& f)
 }
 
 
-json dropped(const finding& f)
+json dropped(const droppedCandidate& d)
 {
-    json all = json::array();
-    for (const droppedCandidate& d : f.dropped)
-    {
-        all.push_back({{"name", d.name}, {"why", describe(d)}});
-    }
-    return all;
+    return {{"name", d.name}, {"why", describe(d)}};
+}
+
+
+json failed(const failedRun& run)
+{
+    return describe(run);
 }
 
 
@@ -320,18 +305,18 @@ std::string Foam::misfit::verdictJson(const finding& f, const string& title)
         {"words", describe(f)},
         {"confidence", std::round(1000*f.confidence)/1000},
         {"confidenceFrom", grounds(f)},
-        {"strengths", strengths(f)},
+        {"strengths", each(f.strengths, &strength)},
         {"fault", fault(f)},
         {"detection", {{"pRaw", f.raw.p}, {"p", f.detection.p}}},
         {"located", located(f)},
         {"calibration", parameters(f)},
         {"uncertainty", uncertainty(f)},
         {"gates", gates(f)},
-        {"heldOut", heldOuts(f.held)},
+        {"heldOut", each(f.held, &match)},
         {"freeCorrection", freeCorrection(f.correction)},
         {"posterior", posterior(f)},
-        {"dropped", dropped(f)},
-        {"failedRuns", failedRuns(f)},
+        {"dropped", each(f.dropped, &dropped)},
+        {"failedRuns", each(f.failedRuns, &failed)},
         {"correctedCase", f.answer.size() ? json(correctedCase) : json(nullptr)},
         {"apart", apart(f)},
         {"advice", adviceOf(f)},
