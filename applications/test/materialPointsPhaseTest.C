@@ -1,137 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unit tests: material points in the place of grains.
 
-#include "OSspecific.H"
-#include "StringStream.H"
-#include "foamCompatibility.H"
 #include "grainSnapshot.H"
-#include "granularPhase.H"
 #include "otherMeshes.H"
-#include "testMesh.H"
 #include "testNumber.H"
+#include "testPointsPhase.H"
 
 #include <gtest/gtest.h>
 
-#include <functional>
-
 using namespace Foam;
-
-namespace
-{
-
-const vector down(0, 0, -9.81);
-
-const string sand
-(
-    "law softeningDruckerPrager; density 1500; solidDensity 2650; E 1e6;"
-    " nu 0.2; frictionAngle 32;"
-);
-
-
-//- A slice in y, 0.8 m long and 0.4 m high
-testBox slice(const word& xMax = "wall")
-{
-    testBox box;
-    box.span = vector(0.8, 0.1, 0.4);
-    box.cells = labelVector(16, 1, 8);
-    box.patches = {{"wall", xMax, "empty", "empty", "wall", "patch"}};
-    return box;
-}
-
-
-autoPtr<granularPhase> points
-(
-    const fvMesh& mesh,
-    const string& region = "box ((0 0 0) (0.2 1 0.2));",
-    const string& rest = ""
-)
-{
-    const string text
-    (
-        "granularPhase materialPoints; materialPoints { cellSize 0.02;"
-        " walls { frictions { zMin 0.5; } } " + rest
-      + " bodies { sand { " + sand + " region { " + region + " } } } }"
-    );
-    return granularPhase::New
-    (
-        mesh, dictionary(IStringStream(text)()), down, 10
-    );
-}
-
-
-//- Message of the error that making points ends with
-std::string errorOf(const std::function<void()>& act)
-{
-    try
-    {
-        act();
-    }
-    catch (const Foam::error& e)
-    {
-        return e.message();
-    }
-    return "no error";
-}
-
-
-//- Nothing but what all ranks agree on: largest difference to the same point
-scalar furthest(const granularPhase& a, const granularPhase& b)
-{
-    scalar result = mag(a.size() - b.size());
-    for (label i = 0; i < min(a.size(), b.size()); ++i)
-    {
-        result = max(result, mag(a.position()[i] - b.position()[i]));
-        result = max(result, mag(a.velocity()[i] - b.velocity()[i]));
-        result = max(result, scalar(mag(a.id()[i] - b.id()[i])));
-    }
-    return returnReduce(result, maxOp<scalar>());
-}
-
-
-//- A second body on the first, in contact with it; the end of the settings of
-//  one closes its dictionary
-const string secondBody
-(
-    "contact { friction 0.3; } bodies { block { " + sand
-  + " walls { frictions { zMin 0.1; } } region { box ((0 0 0.2) (0.1 1 0.3)); }"
-    " } }"
-);
-
-
-//- Stop after some intervals, go on from the state, and be where one is that
-//  never stopped
-void expectRestartIsExact(const string& rest = "")
-{
-    const string here("box ((0 0 0) (0.2 1 0.2));");
-    testMesh box(slice());
-    auto whole = points(box.mesh(), here, rest);
-    const label n = whole->nTotal();
-    for (label i = 0; i < 7; ++i)
-    {
-        whole->advance();
-    }
-
-    fileName folder(box.time().timePath()/granularPhase::stateFolder);
-    compatibility::broadcast(folder);
-    mkDir(folder);
-    ASSERT_TRUE(whole->writeState(folder));
-    whole->checkOut();
-
-    auto second = points(box.mesh(), here, rest);
-    EXPECT_TRUE(second->restarted());
-    EXPECT_EQ(furthest(*whole, *second), 0);
-
-    for (label i = 0; i < 20; ++i)
-    {
-        whole->advance();
-        second->advance();
-    }
-    EXPECT_EQ(furthest(*whole, *second), 0);
-    EXPECT_EQ(whole->nTotal(), n);
-}
-
-} // End anonymous namespace
-
 
 TEST(materialPointsPhase, pointsHaveTheMassOfTheBodyAndTheRadiusOfItsSolid)
 {
@@ -200,25 +77,6 @@ TEST(materialPointsPhase, theForceOfTheFluidMovesPoints)
 }
 
 
-TEST(materialPointsPhase, aRestartIsExactToTheLastBit)
-{
-    expectRestartIsExact();
-}
-
-
-TEST(materialPointsPhase, aRestartOfBodiesInContactIsExactToTheLastBit)
-{
-    expectRestartIsExact(secondBody);
-}
-
-
-TEST(ParallelMaterialPointsPhase, aRestartIsExactToTheLastBit)
-{
-    expectRestartIsExact();
-    expectRestartIsExact(secondBody);
-}
-
-
 TEST(materialPointsPhase, wallsHaveAFrictionForABody)
 {
     // Two blocks fly along a floor that is rough to the first alone
@@ -255,26 +113,6 @@ TEST(materialPointsPhase, wallsHaveAFrictionForABody)
     const scalar mass = 1500*0.1*0.04*0.1;
     EXPECT_LT(momentum[0].x(), 0.1*0.5*mass);
     EXPECT_NEAR(momentum[1].x(), 0.5*mass, 1e-10);
-}
-
-
-TEST(ParallelMaterialPointsPhase, aStateBeyondTheBuffersOfMPIIsWritten)
-{
-    // On 2 ranks 30 MB each; a buffered message holds 20 MB
-    testMesh box(slice());
-    const string all("box ((0 0 0) (1 1 1));");
-    auto first = points(box.mesh(), all, "pointsPerCell 16;");
-    EXPECT_EQ(first->nTotal(), 40*20*16*16);
-
-    fileName folder(box.time().timePath()/granularPhase::stateFolder);
-    compatibility::broadcast(folder);
-    mkDir(folder);
-    ASSERT_TRUE(first->writeState(folder));
-    first->checkOut();
-
-    auto second = points(box.mesh(), all, "pointsPerCell 16;");
-    EXPECT_TRUE(second->restarted());
-    EXPECT_EQ(furthest(*first, *second), 0);
 }
 
 

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Unit tests: material points go on from what they have written.
+
+#include "OSspecific.H"
+#include "foamCompatibility.H"
+#include "testPointsPhase.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+
+namespace
+{
+
+//- Nothing but what all ranks agree on: largest difference to the same point
+scalar furthest(const granularPhase& a, const granularPhase& b)
+{
+    scalar result = mag(a.size() - b.size());
+    for (label i = 0; i < min(a.size(), b.size()); ++i)
+    {
+        result = max(result, mag(a.position()[i] - b.position()[i]));
+        result = max(result, mag(a.velocity()[i] - b.velocity()[i]));
+        result = max(result, scalar(mag(a.id()[i] - b.id()[i])));
+    }
+    return returnReduce(result, maxOp<scalar>());
+}
+
+
+//- A second body on the first, in contact with it; the end of the settings of
+//  one closes its dictionary
+const string secondBody
+(
+    "contact { friction 0.3; } bodies { block { " + sand
+  + " walls { frictions { zMin 0.1; } } region { box ((0 0 0.2) (0.1 1 0.3)); }"
+    " } }"
+);
+
+
+//- Stop after some intervals, go on from the state, and be where one is that
+//  never stopped
+void expectRestartIsExact(const string& rest = "")
+{
+    const string here("box ((0 0 0) (0.2 1 0.2));");
+    testMesh box(slice());
+    auto whole = points(box.mesh(), here, rest);
+    const label n = whole->nTotal();
+    for (label i = 0; i < 7; ++i)
+    {
+        whole->advance();
+    }
+
+    fileName folder(box.time().timePath()/granularPhase::stateFolder);
+    compatibility::broadcast(folder);
+    mkDir(folder);
+    ASSERT_TRUE(whole->writeState(folder));
+    whole->checkOut();
+
+    auto second = points(box.mesh(), here, rest);
+    EXPECT_TRUE(second->restarted());
+    EXPECT_EQ(furthest(*whole, *second), 0);
+
+    for (label i = 0; i < 20; ++i)
+    {
+        whole->advance();
+        second->advance();
+    }
+    EXPECT_EQ(furthest(*whole, *second), 0);
+    EXPECT_EQ(whole->nTotal(), n);
+}
+
+} // End anonymous namespace
+
+
+TEST(materialPointsPhase, aRestartIsExactToTheLastBit)
+{
+    expectRestartIsExact();
+}
+
+
+TEST(materialPointsPhase, aRestartOfBodiesInContactIsExactToTheLastBit)
+{
+    expectRestartIsExact(secondBody);
+}
+
+
+TEST(ParallelMaterialPointsPhase, aRestartIsExactToTheLastBit)
+{
+    expectRestartIsExact();
+    expectRestartIsExact(secondBody);
+}
+
+
+TEST(ParallelMaterialPointsPhase, aStateBeyondTheBuffersOfMPIIsWritten)
+{
+    // On 2 ranks 30 MB each; a buffered message holds 20 MB
+    testMesh box(slice());
+    const string all("box ((0 0 0) (1 1 1));");
+    auto first = points(box.mesh(), all, "pointsPerCell 16;");
+    EXPECT_EQ(first->nTotal(), 40*20*16*16);
+
+    fileName folder(box.time().timePath()/granularPhase::stateFolder);
+    compatibility::broadcast(folder);
+    mkDir(folder);
+    ASSERT_TRUE(first->writeState(folder));
+    first->checkOut();
+
+    auto second = points(box.mesh(), all, "pointsPerCell 16;");
+    EXPECT_TRUE(second->restarted());
+    EXPECT_EQ(furthest(*first, *second), 0);
+}
