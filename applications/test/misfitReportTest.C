@@ -295,6 +295,9 @@ TEST(misfitReport, theConfidenceSaysOfWhat)
     f.explained.all().front().best.covariance = mat::Zero(1, 1);
     EXPECT_TRUE(says(box(f), "P1 reads 20 % too high"));
     EXPECT_TRUE(says(box(f), "90 % that the fault is at P1"));
+    EXPECT_FALSE(says(box(f), "in all of which it was the clock"));
+    f.verdict = verdictKind::registration;
+    EXPECT_TRUE(says(box(f), "in all of which it was the clock"));
     f.names.clear();
     f.verdict = verdictKind::unknown;
     EXPECT_TRUE(says(box(f), "90 % that no candidate and no fault of one sensor"));

@@ -78,11 +78,20 @@ std::string sureThat(const finding& f)
 //- What the number is from
 std::string sureFrom(const finding& f)
 {
-    return
-        f.grounds.size()
-      ? ", the fraction of such verdicts that was right in cases whose cause was"
-        " known."
-      : ", by its score alone: no case whose cause was known had such a law.";
+    if (f.grounds.size() == 0)
+    {
+        return
+            ", by its score alone: no case whose cause was known had such a law.";
+    }
+    const std::string known
+    (
+        ", the fraction of such verdicts that was right in cases whose cause was"
+        " known"
+    );
+    const bool ofClock =
+        f.verdict != verdictKind::registration
+     || f.best().what.fault->kind == faultKind::clock;
+    return known + (ofClock ? "." : ", in all of which it was the clock.");
 }
 
 
