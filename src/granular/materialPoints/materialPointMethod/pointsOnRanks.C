@@ -5,7 +5,65 @@
 
 #include "UIPstream.H"
 #include "UOPstream.H"
-#include "swapLists.H"
+
+namespace
+{
+    using namespace Foam;
+
+    template<class T>
+    char* bytes(T* data)
+    {
+        return reinterpret_cast<char*>(data);
+    }
+
+
+    //- Send bytes to the ranks of both sides, below and above, and receive as
+    //  many as they send; a side whose rank is -1 has none
+    void swapSides
+    (
+        const FixedList<label, 2>& other,
+        const FixedList<const char*, 2>& out,
+        const FixedList<std::streamsize, 2>& nOut,
+        const FixedList<char*, 2>& in,
+        const FixedList<std::streamsize, 2>& nIn
+    )
+    {
+        const label started = Pstream::nRequests();
+
+        for (const int side : {0, 1})
+        {
+            if (other[side] >= 0 && nIn[side] > 0)
+            {
+                UIPstream::read
+                (
+                    Pstream::commsTypes::nonBlocking,
+                    other[side],
+                    in[side],
+                    nIn[side],
+                    Pstream::msgType() + side
+                );
+            }
+        }
+        for (const int side : {0, 1})
+        {
+            // What is low here is high there
+            if (other[side] >= 0 && nOut[side] > 0)
+            {
+                UOPstream::write
+                (
+                    Pstream::commsTypes::nonBlocking,
+                    other[side],
+                    out[side],
+                    nOut[side],
+                    Pstream::msgType() + 1 - side
+                );
+            }
+        }
+
+        Pstream::waitRequests(started);
+    }
+}
+
 
 void Foam::materialPointMethod::foldAxis
 (
@@ -31,13 +89,9 @@ void Foam::materialPointMethod::foldAxis
 
 void Foam::materialPointMethod::foldSlabs(nodeLanes& nodes) const
 {
-    const label nRanks = grid_.cut() ? Pstream::nProcs() : 1;
-    const label me = Pstream::myProcNo();
-    const bool repeats = grid_.periodic(0);
-
-    if (nRanks == 1)
+    if (!grid_.cut())
     {
-        if (repeats)
+        if (grid_.periodic(0))
         {
             foldAxis(nodes, 0);
         }
@@ -46,54 +100,31 @@ void Foam::materialPointMethod::foldSlabs(nodeLanes& nodes) const
 
     // The two lowest planes are shared with the rank below, the two highest
     // with the one above
+    const FixedList<label, 2> other(grid_.neighbours());
     const label two = 2*grid_.stride(0);
-    const label beginOf[2] = {0, grid_.nNodes() - two};
-    const label other[2] =
+    lanes* const planes[2] =
     {
-        me > 0 ? me - 1 : repeats ? nRanks - 1 : -1,
-        me < nRanks - 1 ? me + 1 : repeats ? 0 : -1
+        nodes.data(), nodes.data() + grid_.nNodes() - two
     };
-
     nodeLanes theirs[2];
-    const label started = Pstream::nRequests();
 
     for (const int side : {0, 1})
     {
-        if (other[side] >= 0)
-        {
-            theirs[side].resize(two);
-            UIPstream::read
-            (
-                Pstream::commsTypes::nonBlocking,
-                other[side],
-                reinterpret_cast<char*>(theirs[side].data()),
-                two*sizeof(lanes),
-                Pstream::msgType() + side
-            );
-        }
+        theirs[side].resize(other[side] < 0 ? 0 : two);
     }
-    for (const int side : {0, 1})
-    {
-        if (other[side] >= 0)
-        {
-            // What is low here is high there
-            UOPstream::write
-            (
-                Pstream::commsTypes::nonBlocking,
-                other[side],
-                reinterpret_cast<const char*>(nodes.data() + beginOf[side]),
-                two*sizeof(lanes),
-                Pstream::msgType() + 1 - side
-            );
-        }
-    }
-    Pstream::waitRequests(started);
+
+    const std::streamsize n = two*sizeof(lanes);
+    swapSides
+    (
+        other, {bytes(planes[0]), bytes(planes[1])}, {n, n},
+        {bytes(theirs[0].data()), bytes(theirs[1].data())}, {n, n}
+    );
 
     for (const int side : {0, 1})
     {
         for (std::size_t i = 0; i < theirs[side].size(); ++i)
         {
-            nodes[beginOf[side] + i] += theirs[side][i];
+            planes[side][i] += theirs[side][i];
         }
     }
 }
@@ -154,7 +185,8 @@ bool Foam::materialPointMethod::hasLeft(const point& p) const
 void Foam::materialPointMethod::travel()
 {
     const label me = Pstream::myProcNo();
-    List<DynamicList<char>> toRanks(grid_.cut() ? Pstream::nProcs() : 0);
+    const FixedList<label, 2> other(grid_.neighbours());
+    DynamicList<char> toSides[2];
     DynamicList<label> staying;
     bool all = true;
 
@@ -188,7 +220,12 @@ void Foam::materialPointMethod::travel()
             }
             if (!left)
             {
-                points_.pack(i, toRanks[rank]);
+                // A step is shorter than a slab
+                if (rank != other[0] && rank != other[1])
+                {
+                    stopOutside(i);
+                }
+                points_.pack(i, toSides[rank == other[0] ? 0 : 1]);
             }
         }
         else if (!all)
@@ -204,9 +241,36 @@ void Foam::materialPointMethod::travel()
 
     if (grid_.cut())
     {
-        for (const List<char>& arrived : swapLists(toRanks))
-        {
-            points_.unpack(arrived);
-        }
+        arrive(other, toSides);
+    }
+}
+
+
+void Foam::materialPointMethod::arrive
+(
+    const FixedList<label, 2>& other,
+    const DynamicList<char> (&toSides)[2]
+)
+{
+    // Their numbers first
+    FixedList<label, 2> nOut({toSides[0].size(), toSides[1].size()});
+    FixedList<label, 2> nIn(0);
+    const std::streamsize one = sizeof(label);
+    swapSides
+    (
+        other, {bytes(&nOut[0]), bytes(&nOut[1])}, {one, one},
+        {bytes(&nIn[0]), bytes(&nIn[1])}, {one, one}
+    );
+
+    List<char> arrived[2] = {List<char>(nIn[0]), List<char>(nIn[1])};
+    swapSides
+    (
+        other, {toSides[0].cdata(), toSides[1].cdata()}, {nOut[0], nOut[1]},
+        {arrived[0].data(), arrived[1].data()}, {nIn[0], nIn[1]}
+    );
+
+    for (const List<char>& points : arrived)
+    {
+        points_.unpack(points);
     }
 }

@@ -137,6 +137,23 @@ Foam::scalar Foam::pointGrid::cubeVolume(const scalar edge) const
 }
 
 
+Foam::FixedList<Foam::label, 2> Foam::pointGrid::neighbours() const
+{
+    FixedList<label, 2> result(-1);
+
+    if (cut_)
+    {
+        const label me = Pstream::myProcNo();
+        const label last = Pstream::nProcs() - 1;
+        const label around = periodic_[0] ? 1 : 0;
+        result[0] = me > 0 ? me - 1 : around*(last + 1) - 1;
+        result[1] = me < last ? me + 1 : around - 1;
+    }
+
+    return result;
+}
+
+
 Foam::label Foam::pointGrid::rankOf(const label cell) const
 {
     if (cell < 0 || cell >= nCells_[0])
