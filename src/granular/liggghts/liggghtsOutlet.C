@@ -168,7 +168,34 @@ bool Foam::liggghtsPhase::cameToSide
         }
     }
 
-    return out;
+    return out || wasTurnedOut(from, velocity, leavesAt);
+}
+
+
+bool Foam::liggghtsPhase::wasTurnedOut
+(
+    const point& from,
+    const vector& velocity,
+    point& leavesAt
+) const
+{
+    const scalar reach = 2*exchangeInterval()*mag(velocity);
+
+    for (const opening& way : openings_)
+    {
+        const scalar distance = (way.centre - from) & way.outwards;
+        boundBox bounds(way.bounds);
+        bounds.inflate(1e-6);
+
+        if (distance < reach && bounds.contains(from + distance*way.outwards))
+        {
+            leavesAt =
+                from + (distance + 1e-6*mesh_.bounds().mag())*way.outwards;
+            return true;
+        }
+    }
+
+    return false;
 }
 
 
