@@ -112,7 +112,14 @@ void Foam::functionObjects::massBalance::begin()
         // As results were written LIGGGHTS took out what was beyond a side
         label written = label(count[0]);
         kept("grains", written);
-        leftBefore_ += written - label(count[0]);
+        const label takenOut = written - label(count[0]);
+        leftBefore_ += takenOut;
+        if (takenOut != 0)
+        {
+            Info<< type() << " " << name() << ": " << takenOut << " grains were"
+                << " beyond a side when this state was written and are not in"
+                << " it; they count as left." << endl;
+        }
         return;
     }
 
