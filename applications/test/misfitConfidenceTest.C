@@ -315,14 +315,14 @@ TEST(misfitRules, aWrongOneIsRefused)
         ),
         std::string::npos
     );
-    EXPECT_NE
-    (
-        refusal([]{ settings s(dictionaryOf("adequacy 1.5;")); }).find
+    for (const char* wrong : {"adequacy 1.5;", "largestUncalibrated 1;"})
+    {
+        const std::string said
         (
-            "probabilities between 0 and 1"
-        ),
-        std::string::npos
-    );
+            refusal([wrong]{ settings s(dictionaryOf(wrong)); })
+        );
+        EXPECT_NE(said.find("probabilities between 0 and 1"), said.npos) << said;
+    }
 }
 
 

@@ -195,6 +195,24 @@ TEST(misfitUnknown, anotherDragLawIsRegressedOnTheReynoldsNumber)
 }
 
 
+TEST(misfitUnknown, aLawIsNoSurerThanTheLimitOfWhatIsNotCalibrated)
+{
+    const HashTable<scalar> truth(dragLaw(0, 0.2));
+    settings set(poorSettings());
+    for (const scalar limit : {set.largestUncalibrated, 0.6})
+    {
+        set.largestUncalibrated = limit;
+        correctedWorld w(truth, truth, 600);
+        const finding f(diagnosed(w, set));
+        ASSERT_EQ(f.verdict, verdictKind::named);
+
+        // Its lead alone would say more
+        EXPECT_GT(f.correction.laws.first().lead, 6);
+        EXPECT_EQ(f.confidence, limit);
+    }
+}
+
+
 TEST(misfitUnknown, aLawWithWhichTheSolverFailsIsToldAndNoOtherIsNamed)
 {
     const HashTable<scalar> truth(dragLaw(0, 0.2));

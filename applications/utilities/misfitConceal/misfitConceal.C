@@ -82,7 +82,7 @@ fileName absolute(fileName path)
 }
 
 
-//- Fatal if there is nothing to do
+//- Fatal if there is nothing to do, or not all that it takes
 void checkAction(const argList& args)
 {
     bool any = false;
@@ -95,6 +95,17 @@ void checkAction(const argList& args)
         FatalErrorInFunction
             << "Nothing to do: give -make with a number above 0, -diagnose, -score,"
             << " -calibrate or -check" << exit(FatalError);
+    }
+    if (args.found("calibrate") && !args.found("table"))
+    {
+        FatalErrorInFunction
+            << "-calibrate needs -table too: the file that the table of confidences"
+            << " is written to" << exit(FatalError);
+    }
+    if (!args.found("calibrate") && !args.found("folder"))
+    {
+        FatalErrorInFunction
+            << "Give -folder with the folder of the cases" << exit(FatalError);
     }
 }
 

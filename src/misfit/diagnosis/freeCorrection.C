@@ -13,8 +13,8 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
-//- A law of dimensionless numbers is a name, as sure as its lead: no case of the table
-//  of confidences has one
+//- A law of dimensionless numbers is a name, as sure as its lead up to a limit: no
+//  case of the table of confidences has one
 void nameLaw(const settings& set, finding& f)
 {
     const fittedLaw& l = f.correction.laws.first();
@@ -25,7 +25,10 @@ void nameLaw(const settings& set, finding& f)
     }
     f.verdict = verdictKind::named;
     f.names = wordList(1, name);
-    f.confidence = 1/(1 + std::exp(-0.5*l.lead/set.temperature));
+    f.confidence = min
+    (
+        1/(1 + std::exp(-0.5*l.lead/set.temperature)), set.largestUncalibrated
+    );
     f.grounds.resize(0);
 }
 

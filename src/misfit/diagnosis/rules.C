@@ -76,15 +76,17 @@ Foam::misfit::rules::rules(const dictionary& decision)
     dict.readEntry("passes", passes);
     dict.readEntry("settled", settled);
     dict.readEntry("pairs", pairs);
+    dict.readEntry("largestUncalibrated", largestUncalibrated);
 
     const auto isShare = [](const scalar x) { return x > 0 && x < 1; };
     const bool shares =
-        isShare(significance) && isShare(adequacy) && isShare(matchedChance);
+        isShare(significance) && isShare(adequacy) && isShare(matchedChance)
+     && isShare(largestUncalibrated);
     if (!shares || refit < 1 || passes < 1 || temperature <= 0)
     {
         FatalIOErrorInFunction(decision)
-            << "significance, adequacy and matchedChance are probabilities between 0"
-            << " and 1, refit and passes 1 or more, the temperature above zero"
+            << "significance, adequacy, matchedChance and largestUncalibrated are"
+            << " probabilities between 0 and 1, refit and passes 1 or more, the temperature above zero"
             << exit(FatalIOError);
     }
     confidence = confidenceTable(dict.get<fileName>("confidence"));
