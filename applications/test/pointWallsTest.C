@@ -164,3 +164,43 @@ TEST(pointWalls, aPointBesideAnEdgeThatStandsOutIsLeftAlone)
         0.0099
     );
 }
+
+
+TEST(pointWalls, aPointBesideAWallThatBulgesIsLeftAlone)
+{
+    // Arcs of six faces that bulge to the points above them
+    for (const scalar turn : {6.0, 12.0, 20.0})
+    {
+        const pointGrid grid(slice());
+        pointWalls walls(grid);
+        const label wall = walls.add("arc", 0);
+        List<vector2D> corner(7);
+        forAll(corner, i)
+        {
+            const scalar a = (i - 3)*turn*M_PI/180;
+            corner[i] =
+                vector2D(0.5, 0.1) + 0.4*vector2D(std::sin(a), std::cos(a));
+        }
+        for (label i = 0; i < 6; ++i)
+        {
+            addFace(walls, wall, corner[i], corner[i + 1]);
+        }
+        walls.findNodes();
+
+        for (label i = 0; i < 6; ++i)
+        {
+            const vector2D& a = corner[i];
+            const vector2D& b = corner[i + 1];
+            for (const scalar distance : {0.001, 0.003})
+            {
+                EXPECT_EQ(moved(grid, walls, a, b, distance), 0)
+                    << turn << " degrees, face " << i;
+            }
+            EXPECT_GT
+            (
+                moved(grid, walls, 0.7*a + 0.3*b, 0.3*a + 0.7*b, -0.001),
+                0.00099
+            );
+        }
+    }
+}

@@ -25,12 +25,30 @@ Foam::pointWalls::facetsAround() const
 }
 
 
-Foam::label Foam::pointWalls::beyondEdge
+bool Foam::pointWalls::parallel(const plane& a, const plane& b)
+{
+    return (a.normal*b.normal).sum() > 1 - little;
+}
+
+
+Foam::pointWalls::plane Foam::pointWalls::planeOf
+(
+    const facet& f,
+    const point& p
+) const
+{
+    return {normalOf(f), (p - f.centre) & f.normal};
+}
+
+
+Foam::DynamicList<Foam::label> Foam::pointWalls::beyondEdges
 (
     const facet& f,
     const labelUList& others
 ) const
 {
+    DynamicList<label> result;
+
     for (const label i : others)
     {
         const facet& other = facets_[i];
@@ -41,16 +59,17 @@ Foam::label Foam::pointWalls::beyondEdge
 
             if
             (
-                (way & f.normal) < -0.3*mag(way)
+                (way & f.normal) < -little*mag(way)
              && mag(nearest(f, corner) - corner) < little*grid_.h()
             )
             {
-                return i;
+                result.append(i);
+                break;
             }
         }
     }
 
-    return -1;
+    return result;
 }
 
 
@@ -59,51 +78,63 @@ void Foam::pointWalls::addBarrier
     DynamicList<barrier>& ofNode,
     const label node,
     const facet& f,
-    const labelUList& others
+    const labelUList& edges
 ) const
 {
     const point p(grid_.position(node));
-    const lanes normal(normalOf(f));
-    const scalar distance = (p - f.centre) & f.normal;
-    const label beyond = beyondEdge(f, others);
+    const plane face(planeOf(f, p));
 
     // Whether a point of the cell gets behind its plane in a step
-    const scalar reach = (0.5*normal.abs().sum() + 0.5 - little)*grid_.h();
-    const bool passes = beyond < 0 ? distance > 0 : distance > -reach;
+    const scalar reach = (0.5*face.normal.abs().sum() + 0.5 - little)*grid_.h();
+    const bool passes =
+        edges.empty() ? face.distance > 0 : face.distance > -reach;
 
     for (barrier& wall : ofNode)
     {
-        if ((wall.normal*normal).sum() > 1 - little)
+        if (parallel(wall, face))
         {
-            if (beyond >= 0)
-            {
-                setEdge(wall, p, facets_[beyond]);
-            }
+            addEdges(wall, p, edges);
             return;
         }
     }
 
-    if (normal.square().sum() > little && passes && distance < reach)
+    if (face.normal.square().sum() > little && passes && face.distance < reach)
     {
-        ofNode.append({normal, distance, false, normal, 0});
-        if (beyond >= 0)
-        {
-            setEdge(ofNode.last(), p, facets_[beyond]);
-        }
+        ofNode.append(barrier{face, {}});
+        addEdges(ofNode.last(), p, edges);
     }
 }
 
 
-void Foam::pointWalls::setEdge
+void Foam::pointWalls::addEdges
 (
     barrier& wall,
     const point& p,
-    const facet& beyond
+    const labelUList& edges
 ) const
 {
-    wall.hasEdge = true;
-    wall.beyond = normalOf(beyond);
-    wall.beyondDistance = (p - beyond.centre) & beyond.normal;
+    for (const label i : edges)
+    {
+        const plane side(planeOf(facets_[i], p));
+
+        // Neither what lies in the plane of a slice nor what goes straight on
+        bool isNew =
+            side.normal.square().sum() > little && !parallel(side, wall);
+
+        for (const plane& other : wall.beyond)
+        {
+            isNew =
+                isNew
+             && !(
+                    parallel(side, other)
+                 && mag(side.distance - other.distance) < little*grid_.h()
+                );
+        }
+        if (isNew)
+        {
+            wall.beyond.push_back(side);
+        }
+    }
 }
 
 
@@ -114,10 +145,7 @@ void Foam::pointWalls::findBarriers()
 
     for (const heldNode& held : held_)
     {
-        ofNodes[held.node].append
-        (
-            {held.normal, held.distance, false, held.normal, 0}
-        );
+        ofNodes[held.node].append(barrier{{held.normal, held.distance}, {}});
     }
 
     barriers_.clear();
@@ -128,10 +156,13 @@ void Foam::pointWalls::findBarriers()
     {
         for (const label i : around[node])
         {
-            const bool held = isHeld_[node];
-            if (!held || beyondEdge(facets_[i], around[node]) >= 0)
+            const DynamicList<label> edges
+            (
+                beyondEdges(facets_[i], around[node])
+            );
+            if (!isHeld_[node] || edges.size())
             {
-                addBarrier(ofNodes[node], node, facets_[i], around[node]);
+                addBarrier(ofNodes[node], node, facets_[i], edges);
             }
         }
         for (const barrier& wall : ofNodes[node])
@@ -145,17 +176,16 @@ void Foam::pointWalls::findBarriers()
 
 Foam::scalar Foam::pointWalls::depth
 (
+    const plane& side,
     const point& p,
-    const point& node,
-    const lanes& normal,
-    const scalar distance
+    const point& node
 ) const
 {
-    scalar height = distance;
+    scalar height = side.distance;
     for (label k = 0; k < 3 && k < grid_.nDims(); ++k)
     {
         const direction d = grid_.axes()[k];
-        height += normal[k + 1]*(p[d] - node[d]);
+        height += side.normal[k + 1]*(p[d] - node[d]);
     }
 
     return little*grid_.h() - height;
@@ -169,11 +199,13 @@ void Foam::pointWalls::putBackBehind(point& p, const label cell) const
     for (label i = barriersFrom_[cell]; i < barriersFrom_[cell + 1]; ++i)
     {
         const barrier& wall = barriers_[i];
-        const scalar most = wall.hasEdge
-          ? depth(p, node, wall.beyond, wall.beyondDistance)
-          : GREAT;
-        const scalar behind =
-            max(depth(p, node, wall.normal, wall.distance), scalar(0));
+        const scalar behind = max(depth(wall, p, node), scalar(0));
+        scalar most = GREAT;
+
+        for (const plane& side : wall.beyond)
+        {
+            most = min(most, depth(side, p, node));
+        }
 
         // At an edge that stands out, by the shorter way
         if (behind <= most)
