@@ -261,3 +261,33 @@ TEST(bodiesInContact, bodiesFarApartAreToTheLastBitWhatEachIsAlone)
     }
     EXPECT_EQ(same, alone.points().size());
 }
+
+
+TEST(bodiesInContact, regionsThatOverlapAreNamed)
+{
+    const auto said = [](const string& high) -> std::string
+    {
+        const string low(stiff + region("((0.1 0 0) (0.3 1 0.2))"));
+        try
+        {
+            boxOfPoints
+            (
+                pointBox(), down, two(low, stiff + region(high), "friction 0;")
+            );
+        }
+        catch (const Foam::error& e)
+        {
+            return e.message();
+        }
+        return "no error";
+    };
+
+    EXPECT_EQ(said("((0.1 0 0.2) (0.3 1 0.4))"), "no error");
+
+    // The place is that of the first point of both
+    const std::string overlap(said("((0.2 0 0.1) (0.4 1 0.4))"));
+    EXPECT_NE(overlap.find("bodies a and b overlap"), std::string::npos)
+        << overlap;
+    EXPECT_NE(overlap.find("(0.2125 0.05 0.1125)"), std::string::npos)
+        << overlap;
+}

@@ -250,3 +250,56 @@ TEST(materialPointsPhase, whatIsWrongIsNamed)
         std::string::npos
     );
 }
+
+
+TEST(materialPointsPhase, aFrictionOfWhatIsNoWallIsNamed)
+{
+    // zMax is a patch through which fluid flows
+    testMesh box(slice());
+    const auto said = [&](const string& walls)
+    {
+        const string text
+        (
+            "granularPhase materialPoints; materialPoints { cellSize 0.02;"
+            " walls { frictions { " + walls + " 0.5; } }"
+            " bodies { sand { " + sand
+          + " region { box ((0 0 0) (0.2 1 0.2)); } } } }"
+        );
+        return errorOf([&]()
+        {
+            granularPhase::New
+            (
+                box.mesh(), dictionary(IStringStream(text)()), down, 10
+            );
+        });
+    };
+
+    EXPECT_EQ(said("zMin"), "no error");
+    EXPECT_NE(said("zMax").find("zMax"), std::string::npos) << said("zMax");
+}
+
+
+TEST(materialPointsPhase, aNegativeFrictionOfABodyIsNamed)
+{
+    testMesh box(slice());
+    const std::string said
+    (
+        errorOf([&]()
+        {
+            points
+            (
+                box.mesh(),
+                "box ((0 0 0) (0.2 1 0.2)); } } clay { " + sand
+              + " walls { frictions { zMin -1; } }"
+                " region { box ((0.4 0 0) (0.5 1 0.2));",
+                "contact {}"
+            );
+        })
+    );
+
+    EXPECT_NE
+    (
+        said.find("friction of wall zMin for body clay is -1"),
+        std::string::npos
+    ) << said;
+}

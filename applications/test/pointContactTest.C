@@ -18,7 +18,13 @@ struct touchedNode
 {
     std::vector<nodeLanes> velocity;
 
-    touchedNode(const scalar friction, const vector& U)
+    //- first is the volume of the first body and its moment
+    touchedNode
+    (
+        const scalar friction,
+        const vector& U,
+        const lanes& first = lanes(0.4, 0.1, 0, -0.12)
+    )
     :
         velocity
         ({
@@ -30,10 +36,10 @@ struct touchedNode
         dict.add("friction", friction);
         const pointContact contact(dict, wordList({"a", "b"}));
 
-        // The edge of the first, below the second: free where it ends
+        // By default the edge of the first, below the second: free where it ends
         const std::vector<nodeLanes> inward
         ({
-            nodeLanes(1, lanes(0.4, 0.1, 0, -0.12)),
+            nodeLanes(1, first),
             nodeLanes(1, lanes(0.5, 0, 0, 0.2))
         });
         contact.apply(velocity, inward, 1, labelList({0}));
@@ -73,6 +79,15 @@ TEST(pointContact, bodiesThatPartAreLeftAlone)
     const touchedNode node(20, vector(3, 4, -1));
     EXPECT_EQ(node.U(0), vector(3, 4, -1));
     EXPECT_EQ(node.U(1), vector::zero);
+}
+
+
+TEST(pointContact, aClumpMakesNoNormal)
+{
+    // Its moment is 1.4 times that of a half-space, and not along z
+    const touchedNode node(0, vector(0, 0, 1), lanes(0.4, 0.2, 0, -0.2));
+    EXPECT_LT(mag(node.U(0) - vector(0, 0, 0.4)), 1e-15);
+    EXPECT_LT(mag(node.U(1) - vector(0, 0, 0.4)), 1e-15);
 }
 
 

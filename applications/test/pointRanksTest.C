@@ -150,3 +150,34 @@ TEST(ParallelMaterialPoints, bodiesInContactInThreeDimensionsAreTheSame)
 {
     expectAsAlone(false, true, twoBodies);
 }
+
+
+TEST(ParallelMaterialPoints, aPointThatPassesAWholeRankIsNamed)
+{
+    if (Pstream::nProcs() < 4)
+    {
+        GTEST_SKIP() << "needs 4 ranks";
+    }
+
+    pointBox box;
+    boxOfPoints block(box, Zero, body(elastic, "((0 0 0) (1 1 0.2))"));
+
+    // From each quarter to the second next, that all ranks stop
+    const scalar dt = 1e-3;
+    const scalar way = Pstream::myProcNo() < 2 ? 0.5 : -0.5;
+    for (vector& U : block.points().U)
+    {
+        U = vector(way/dt, 0, 0);
+    }
+
+    try
+    {
+        block.step(dt);
+        FAIL() << "no error";
+    }
+    catch (const Foam::error& e)
+    {
+        const std::string said(e.message());
+        EXPECT_NE(said.find("past a whole rank"), std::string::npos) << said;
+    }
+}

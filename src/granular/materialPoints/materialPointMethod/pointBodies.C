@@ -5,7 +5,6 @@
 
 #include "PstreamReduceOps.H"
 #include "keywords.H"
-#include "pointRegion.H"
 
 void Foam::materialPointMethod::addBodies
 (
@@ -24,6 +23,7 @@ void Foam::materialPointMethod::addBodies
             << exit(FatalIOError);
     }
 
+    PtrList<pointRegion> regions;
     for (const entry& body : bodies)
     {
         if (!body.isDict())
@@ -46,7 +46,7 @@ void Foam::materialPointMethod::addBodies
 
         if (withPoints)
         {
-            place(body.dict(), laws_.size() - 1, perCell);
+            place(body.dict(), regions, perCell);
         }
     }
 
@@ -94,14 +94,39 @@ void Foam::materialPointMethod::sizeFields()
 }
 
 
+void Foam::materialPointMethod::checkAlone
+(
+    const dictionary& dict,
+    const point& p,
+    const PtrList<pointRegion>& regions
+) const
+{
+    const label last = regions.size() - 1;
+
+    for (label body = 0; body < last; ++body)
+    {
+        if (regions[body].contains(p))
+        {
+            FatalIOErrorInFunction(dict)
+                << "The regions of bodies " << bodies_[body] << " and "
+                << bodies_[last] << " overlap: both have a point at " << p
+                << " m, where the mass would be that of both." << nl
+                << "    Let one region end where the other begins."
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
 void Foam::materialPointMethod::place
 (
     const dictionary& dict,
-    const label body,
+    PtrList<pointRegion>& regions,
     const label perCell
 )
 {
-    const pointRegion region(dict.subDict("region"), grid_);
+    const label body = regions.size();
+    regions.append(new pointRegion(dict.subDict("region"), grid_));
     const vector U(dict.getOrDefault<vector>("U", Zero));
     const boundBox& box = grid_.box();
     const scalar spacing = grid_.h()/perCell;
@@ -138,10 +163,11 @@ void Foam::materialPointMethod::place
                     p[d] = box.min()[d] + (at[a] + 0.5)*spacing;
                 }
 
-                if (!region.contains(p))
+                if (!regions[body].contains(p))
                 {
                     continue;
                 }
+                checkAlone(dict, p, regions);
                 ++id;
 
                 const label cell = pointGrid::cell(grid_.coordinate(p, 0));

@@ -152,16 +152,19 @@ void Foam::materialPointMethod::share(std::vector<nodeLanes>& fields) const
 }
 
 
-void Foam::materialPointMethod::stopOutside(const label i) const
+void Foam::materialPointMethod::stopFor
+(
+    const label i,
+    const char* what,
+    const char* advice
+) const
 {
     FatalErrorInFunction
         << "Point " << points_.id[i] << " of body "
-        << bodies_[points_.body[i]] << " is beyond the grid of the points, at "
+        << bodies_[points_.body[i]] << " " << what << ", at "
         << points_.x[i] << " m with velocity " << points_.U[i] << " m/s." << nl
         << "    The mesh's box is " << grid_.box() << nl
-        << "    Close the mesh there with a wall patch, name the patch in"
-        << " materialPoints/outflow, or, if points pass a wall, take a smaller"
-        << " courant." << exit(FatalError);
+        << "    " << advice << exit(FatalError);
 }
 
 
@@ -198,7 +201,14 @@ void Foam::materialPointMethod::travel()
 
         if (!left && !grid_.holds(points_.x[i]))
         {
-            stopOutside(i);
+            stopFor
+            (
+                i,
+                "is beyond the grid of the points",
+                "Close the mesh there with a wall patch, name the patch in"
+                " materialPoints/outflow, or, if points pass a wall, take a"
+                " smaller courant."
+            );
         }
 
         const label rank =
@@ -223,7 +233,13 @@ void Foam::materialPointMethod::travel()
                 // A step is shorter than a slab
                 if (rank != other[0] && rank != other[1])
                 {
-                    stopOutside(i);
+                    stopFor
+                    (
+                        i,
+                        "moved past a whole rank in one step",
+                        "Its speed has grown without bound, or steps are too"
+                        " long: take a smaller materialPoints/courant."
+                    );
                 }
                 points_.pack(i, toSides[rank == other[0] ? 0 : 1]);
             }

@@ -45,8 +45,6 @@ void Foam::materialPointsPhase::addWalls()
     const scalar friction = walls.getOrDefault<scalar>("friction", 0);
     const polyBoundaryMesh& patches = mesh_.boundaryMesh();
 
-    keywords::checkPatterns(frictions, patches.names());
-
     // Those behind are cuts between ranks, other ones on each
     for (label i = 0; i < patches.nNonProcessor(); ++i)
     {
@@ -66,6 +64,7 @@ void Foam::materialPointsPhase::addWalls()
             }
         }
     }
+    keywords::checkPatterns(frictions, method_.walls().names());
 
     method_.walls().findNodes();
 }
@@ -113,6 +112,15 @@ void Foam::materialPointsPhase::setWallFriction()
             );
             friction[body][wall] =
                 ownFrictions.getOrDefault<scalar>(walls[wall], ofAll);
+
+            if (!(friction[body][wall] >= 0))
+            {
+                FatalIOErrorInFunction(settings)
+                    << "The friction of wall " << walls[wall] << " for body "
+                    << method_.bodies()[body] << " is "
+                    << friction[body][wall] << "; it may not be below zero."
+                    << exit(FatalIOError);
+            }
         }
     }
 
