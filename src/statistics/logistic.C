@@ -3,9 +3,6 @@
 
 #include "logistic.H"
 
-#include <unsupported/Eigen/NonLinearOptimization>
-
-#include <cfenv>
 #include <cmath>
 #include <stdexcept>
 
@@ -20,12 +17,10 @@ double probability(const double logit)
 }
 
 
-//- Slopes of the likelihood with a prior, which vanish where it is largest; in the
-//  form that Eigen's solver asks for
+//- The logarithm of the likelihood with a prior, and its slopes: it is concave, so that
+//  Newton's steps, halved while they lead downwards, end where it is largest
 struct likelihood
 {
-    using Scalar = double;
-
     //- A row for each outcome, with 1 in front
     mat x;
 
@@ -41,21 +36,49 @@ struct likelihood
         return vec(x*c).unaryExpr(&probability);
     }
 
-    int operator()(const vec& c, vec& slopes) const
+    double operator()(const vec& c) const
     {
-        const vec left = outcome - probabilities(c);
-        slopes =
-            x.transpose()*weight.cwiseProduct(left) - precision.cwiseProduct(c);
-        return 0;
+        const vec logit = x*c;
+        double sum = -0.5*precision.dot(c.cwiseAbs2());
+        for (int i = 0; i < logit.size(); ++i)
+        {
+            // ln p of the outcome 1, ln(1 - p) of 0, without overflow
+            const double z = outcome[i] > 0.5 ? logit[i] : -logit[i];
+            sum -= weight[i]*(std::max(-z, 0.0) + std::log1p(std::exp(-std::abs(z))));
+        }
+        return sum;
     }
 
-    int df(const vec& c, mat& curvature) const
+    vec slopes(const vec& c) const
+    {
+        const vec left = outcome - probabilities(c);
+        return x.transpose()*weight.cwiseProduct(left) - precision.cwiseProduct(c);
+    }
+
+    vec newtonStep(const vec& c) const
     {
         const vec p = probabilities(c);
-        const vec spread = p.cwiseProduct(vec(1 - p.array()));
-        curvature = -x.transpose()*weight.cwiseProduct(spread).asDiagonal()*x;
-        curvature.diagonal() -= precision;
-        return 0;
+        const vec spread = weight.cwiseProduct(p.cwiseProduct(vec(1 - p.array())));
+        mat curvature = x.transpose()*spread.asDiagonal()*x;
+        curvature.diagonal() += precision;
+        return curvature.ldlt().solve(slopes(c));
+    }
+
+    //- Where it is largest
+    vec largest() const
+    {
+        vec c = vec::Zero(x.cols());
+        for (int i = 0; i < 100 && slopes(c).norm() > 1e-10*x.rows(); ++i)
+        {
+            vec step = newtonStep(c);
+            const double now = (*this)(c);
+            for (int k = 0; k < 50 && !((*this)(c + step) >= now); ++k)
+            {
+                step /= 2;
+            }
+            c += step;
+        }
+        return c;
     }
 };
 
@@ -105,15 +128,8 @@ statistics::logistic statistics::fitLogistic
     f.precision = vec::Constant(k + 1, 1/sqr(shrinkage));
     f.precision[0] = 0;
 
-    // Its rotations may divide by zero where nothing is to be rotated
-    vec c = vec::Zero(k + 1);
-    Eigen::HybridNonLinearSolver<likelihood> solver(f);
-    std::fenv_t traps;
-    std::feholdexcept(&traps);
-    solver.hybrj1(c);
-    std::fesetenv(&traps);
-    vec slopes(k + 1);
-    f(c, slopes);
+    const vec c = f.largest();
+    const vec slopes = f.slopes(c);
     if (!slopes.allFinite() || slopes.norm() > 1e-6*n)
     {
         throw std::domain_error("the fit of a logistic function does not converge");
