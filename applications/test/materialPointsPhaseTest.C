@@ -187,7 +187,7 @@ TEST(materialPointsPhase, anOutflowThatIsNotAWholeSideIsNamed)
 
     const std::string said
     (
-        errorOf([&]() { points(mesh, here, "outflow (xMax);"); })
+        refusal([&]() { points(mesh, here, "outflow (xMax);"); })
     );
     EXPECT_NE(said.find("Patch xMax"), std::string::npos) << said;
     EXPECT_NE(said.find("faces of zMax"), std::string::npos) << said;
@@ -218,7 +218,7 @@ TEST(materialPointsPhase, whatIsWrongIsNamed)
 
     const auto said = [&](const string& region, const string& rest)
     {
-        return errorOf([&]() { points(mesh, region, rest); });
+        return refusal([&]() { points(mesh, region, rest); });
     };
 
     EXPECT_NE(said(here, "outflow (noSuch);").find("noSuch"), std::string::npos);
@@ -265,7 +265,7 @@ TEST(materialPointsPhase, aFrictionOfWhatIsNoWallIsNamed)
             " bodies { sand { " + sand
           + " region { box ((0 0 0) (0.2 1 0.2)); } } } }"
         );
-        return errorOf([&]()
+        return refusal([&]()
         {
             granularPhase::New
             (
@@ -274,7 +274,7 @@ TEST(materialPointsPhase, aFrictionOfWhatIsNoWallIsNamed)
         });
     };
 
-    EXPECT_EQ(said("zMin"), "no error");
+    EXPECT_EQ(said("zMin"), "nothing");
     EXPECT_NE(said("zMax").find("zMax"), std::string::npos) << said("zMax");
 }
 
@@ -284,7 +284,7 @@ TEST(materialPointsPhase, aNegativeFrictionOfABodyIsNamed)
     testMesh box(slice());
     const std::string said
     (
-        errorOf([&]()
+        refusal([&]()
         {
             points
             (

@@ -3,6 +3,7 @@
 
 #include "StringStream.H"
 #include "pointContact.H"
+#include "saidDuring.H"
 #include "vector.H"
 
 #include <gtest/gtest.h>
@@ -96,18 +97,13 @@ TEST(pointContact, aPairThatIsNoneIsNamed)
     const wordList bodies({"debris", "bed"});
     const auto said = [&](const string& settings) -> std::string
     {
-        try
+        return refusal([&]()
         {
             pointContact(dictionary(IStringStream(settings)()), bodies);
-        }
-        catch (const Foam::error& e)
-        {
-            return e.message();
-        }
-        return "no error";
+        });
     };
 
-    EXPECT_EQ(said("frictions { debris { bed 0.2; } }"), "no error");
+    EXPECT_EQ(said("frictions { debris { bed 0.2; } }"), "nothing");
     EXPECT_NE(said("frictions { debris { bad 0; } }").find("bad"), -1ul);
     EXPECT_NE(said("frictions { bad { bed 0; } }").find("bad"), -1ul);
     EXPECT_NE(said("frictions { bed { bed 0; } }").find("one body"), -1ul);
