@@ -48,7 +48,11 @@ Foam::granularPhase::granularPhase
 }
 
 
-void Foam::granularPhase::checkNoStateLost(const string& beginning) const
+void Foam::granularPhase::checkNoStateLost
+(
+    const string& beginning,
+    const word& stateName
+) const
 {
     if (mesh_.time().value() <= SMALL)
     {
@@ -67,7 +71,8 @@ void Foam::granularPhase::checkNoStateLost(const string& beginning) const
         if (returnReduce(found, orOp<bool>()))
         {
             FatalErrorInFunction
-                << "The state of the grains, " << stateFolder << "/state, is not"
+                << "The state of the grains, " << stateFolder/stateName
+                << ", is not"
                 << " in time " << mesh_.time().timeName()
                 << " of a run with grains." << nl
                 << "    Go on from a time that has it. To begin with the grains"

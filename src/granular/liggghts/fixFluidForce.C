@@ -17,9 +17,24 @@ Foam::fixFluidForce::fixFluidForce
     char** arg
 )
 :
+    fixFluidForce(lmp, narg, arg, "fluidForce", "fluidTorque")
+{}
+
+
+Foam::fixFluidForce::fixFluidForce
+(
+    LAMMPS_NS::LAMMPS* lmp,
+    int narg,
+    char** arg,
+    const char* forceName,
+    const char* torqueName
+)
+:
     LAMMPS_NS::Fix(lmp, narg, arg),
     force_(nullptr),
-    torque_(nullptr)
+    torque_(nullptr),
+    forceName_(forceName),
+    torqueName_(torqueName)
 {}
 
 
@@ -42,8 +57,8 @@ LAMMPS_NS::FixPropertyAtom* Foam::fixFluidForce::addVectorProperty
 
 void Foam::fixFluidForce::post_create()
 {
-    force_ = addVectorProperty("fluidForce");
-    torque_ = addVectorProperty("fluidTorque");
+    force_ = addVectorProperty(forceName_);
+    torque_ = addVectorProperty(torqueName_);
 }
 
 

@@ -241,3 +241,12 @@ void Foam::liggghtsInstance::run(const label n)
 
     lmp_->update->integrate->run(n);
 }
+
+
+void Foam::liggghtsInstance::outside(const std::function<void()>& f)
+{
+    const std::string what(std::move(busyWith));
+    busyWith.clear();
+    f();
+    busyWith = what;
+}

@@ -9,9 +9,11 @@
 #include "addToRunTimeSelectionTable.H"
 #include "fixFluidForce.H"
 #include "fixLocalDamping.H"
+#include "fixStepForce.H"
 #include "fixStyles.H"
 #include "foamCompatibility.H"
 #include "keywords.H"
+#include "liggghtsArrays.H"
 #include "liggghtsChecks.H"
 
 #include <sstream>
@@ -30,26 +32,13 @@ namespace Foam
 }
 
 
-namespace
-{
-    //- A view on n vectors of LIGGGHTS, which keeps them in one piece
-    Foam::UList<Foam::vector> vectors(double** array, const Foam::label n)
-    {
-        return Foam::UList<Foam::vector>
-        (
-            n ? reinterpret_cast<Foam::vector*>(array[0]) : nullptr,
-            n
-        );
-    }
-}
-
-
 Foam::liggghtsPhase::liggghtsPhase
 (
     const fvMesh& mesh,
     const dictionary& dict,
     const vector& g,
-    const label stepsPerExchange
+    const label stepsPerExchange,
+    const stepForce& eachStep
 )
 :
     granularPhase(mesh, dict, stepsPerExchange),
@@ -79,6 +68,7 @@ Foam::liggghtsPhase::liggghtsPhase
     walls_(mesh, keywords::sub(dict_, "walls"), physicsScript_),
     fluid_(nullptr),
     damping_(nullptr),
+    eachStep_(eachStep),
     restarted_(false),
     nGrains_(0),
     nInserted_(0),
@@ -241,6 +231,7 @@ void Foam::liggghtsPhase::createGrains()
 {
     addFixStyle<fixFluidForce>(&*liggghts_);
     addFixStyle<fixLocalDamping>(&*liggghts_);
+    addFixStyle<fixStepForce>(&*liggghts_);
 
     // Contacts with history need it, and a written state does not keep it
     liggghts_.command("newton off");
@@ -364,6 +355,18 @@ void Foam::liggghtsPhase::addOwnFixes()
         modify.fix[modify.find_fix("interDEMFoamFluid")]
     );
 
+    if (eachStep_)
+    {
+        liggghts_.command
+        (
+            "fix interDEMFoamStep all " + string(fixStepForce::styleName)
+        );
+        dynamic_cast<fixStepForce&>
+        (
+            *modify.fix[modify.find_fix("interDEMFoamStep")]
+        ).set(eachStep_);
+    }
+
     // Behind all other forces, since it takes a share of their sum
     if (localDamping_ > 0)
     {
@@ -415,6 +418,12 @@ bool Foam::liggghtsPhase::mobile(const label i) const
 Foam::scalar Foam::liggghtsPhase::timeStep() const
 {
     return liggghts_->update->dt;
+}
+
+
+Foam::label Foam::liggghtsPhase::nTypes() const
+{
+    return liggghts_->atom->ntypes;
 }
 
 

@@ -48,7 +48,8 @@ Foam::materialPointsPhase::materialPointsPhase
     const fvMesh& mesh,
     const dictionary& dict,
     const vector& g,
-    const label stepsPerExchange
+    const label stepsPerExchange,
+    const word& stateName
 )
 :
     granularPhase(mesh, dict, stepsPerExchange),
@@ -65,6 +66,7 @@ Foam::materialPointsPhase::materialPointsPhase
             }
         )
     ),
+    stateName_(stateName),
     g_(g),
     patches_
     (
@@ -213,13 +215,17 @@ void Foam::materialPointsPhase::endSettling()
 }
 
 
-void Foam::materialPointsPhase::advance()
+void Foam::materialPointsPhase::begin()
 {
     method_.points().before = method_.points().U;
     method_.walls().resetImpulse();
+}
 
-    scalar remaining = exchangeInterval();
-    while (remaining > 1e-9*timeStep_)
+
+void Foam::materialPointsPhase::move(const scalar time)
+{
+    scalar remaining = time;
+    while (remaining > 1e-9*time)
     {
         // Equal steps, and no short one at the end
         const scalar dt =
@@ -227,9 +233,21 @@ void Foam::materialPointsPhase::advance()
         method_.step(dt);
         remaining -= dt;
     }
+}
 
+
+void Foam::materialPointsPhase::end()
+{
     endSettling();
     refresh();
+}
+
+
+void Foam::materialPointsPhase::advance()
+{
+    begin();
+    move(exchangeInterval());
+    end();
 }
 
 

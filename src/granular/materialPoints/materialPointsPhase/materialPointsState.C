@@ -70,13 +70,13 @@ Foam::fileName Foam::materialPointsPhase::stateOnDisk() const
     // That of the first rank, wherever the file handler keeps it
     fileName state
     (
-        fileHandler().filePath(mesh_.time().timePath()/stateFolder/"state")
+        fileHandler().filePath(mesh_.time().timePath()/stateFolder/stateName_)
     );
     compatibility::broadcast(state);
 
     if (state.empty())
     {
-        checkNoStateLost("constant/granularProperties");
+        checkNoStateLost("constant/granularProperties", stateName_);
     }
 
     return state;
@@ -108,7 +108,7 @@ Foam::List<char> Foam::materialPointsPhase::packed(const label begin)
 
 bool Foam::materialPointsPhase::writeState(const fileName& folder)
 {
-    const fileName aside(folder/"state.incomplete");
+    const fileName aside(folder/(stateName_ + ".incomplete"));
     labelList n(Pstream::nProcs());
     n[Pstream::myProcNo()] = size();
     Pstream::gatherList(n);
@@ -134,7 +134,7 @@ bool Foam::materialPointsPhase::writeState(const fileName& folder)
             }
         }
         os.close();
-        complete = os.good() && mv(aside, folder/"state");
+        complete = os.good() && mv(aside, folder/stateName_);
     }
     else
     {

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Grains of LIGGGHTS and a continuum of material points that touch.
+
+#include "grainsOnPoints.H"
+
+#include "addToRunTimeSelectionTable.H"
+#include "grainSnapshot.H"
+#include "keywords.H"
+#include "periodicity.H"
+
+#include <algorithm>
+
+namespace Foam
+{
+    defineTypeName(grainsOnPoints);
+    addToRunTimeSelectionTable(granularPhase, grainsOnPoints, dictionary);
+}
+
+
+namespace
+{
+    using namespace Foam;
+
+    //- File of the points beside that of the grains
+    const word stateOfPoints("points");
+
+    //- What grains have, then what points have
+    template<class ListType>
+    void join
+    (
+        ListType& result,
+        const UList<typename ListType::value_type>& grains,
+        const UList<typename ListType::value_type>& points
+    )
+    {
+        result.setSize(grains.size() + points.size());
+        std::copy(grains.begin(), grains.end(), result.begin());
+        std::copy(points.begin(), points.end(), result.begin() + grains.size());
+    }
+}
+
+
+Foam::dictionary Foam::grainsOnPoints::settings
+(
+    const fvMesh& mesh,
+    const dictionary& dict
+)
+{
+    if (dict.lookupOrDefault<word>("fluid", "volumeOfFluid") != "none")
+    {
+        FatalIOErrorInFunction(dict)
+            << "Grains on material points are computed without a fluid." << nl
+            << "    Write: fluid none; in constant/granularProperties"
+            << exit(FatalIOError);
+    }
+
+    const Vector<bool> repeats(periodicity(mesh).along());
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (repeats[d] && mesh.solutionD()[d] == 1)
+        {
+            FatalErrorInFunction
+                << "The mesh repeats itself along " << "xyz"[d] << " (cyclic):"
+                << " grains on material points need walls or open sides there."
+                << nl << "    A slice that repeats itself sideways has patches of"
+                << " type empty." << exit(FatalError);
+        }
+    }
+
+    if (dict.found("coarseGraining"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "coarseGraining is that of grains in a fluid, and there is none"
+            << " with " << typeName << "." << nl << "    Take it out."
+            << exit(FatalIOError);
+    }
+
+    dictionary result
+    (
+        keywords::sub(dict, typeName, {"LIGGGHTS", "materialPoints", "contact"})
+    );
+
+    if (keywords::sub(result, "materialPoints").found("timeStep"))
+    {
+        FatalIOErrorInFunction(result)
+            << "materialPoints/timeStep is not read here: intervals count the"
+            << " DEM step of LIGGGHTS." << nl
+            << "    Take it out." << exit(FatalIOError);
+    }
+
+    return result;
+}
+
+
+Foam::dictionary Foam::grainsOnPoints::withStep
+(
+    const dictionary& dict,
+    const scalar step
+)
+{
+    dictionary result(dict);
+    dictionary points(keywords::sub(dict, "materialPoints"));
+    points.set("timeStep", step);
+    result.set("materialPoints", points);
+    return result;
+}
+
+
+Foam::grainsOnPoints::grainsOnPoints
+(
+    const fvMesh& mesh,
+    const dictionary& dict,
+    const vector& g,
+    const label stepsPerExchange
+)
+:
+    granularPhase(mesh, dict, stepsPerExchange),
+    dict_(settings(mesh, dict)),
+    grains_
+    (
+        mesh,
+        dict_,
+        g,
+        stepsPerExchange,
+        [this](const grainsInStep& grains) { inStep(grains); }
+    ),
+    points_
+    (
+        mesh,
+        withStep(dict_, grains_.timeStep()),
+        g,
+        stepsPerExchange,
+        stateOfPoints
+    ),
+    contact_(keywords::sub(dict_, "contact"), pointRadius()),
+    pointSteps_(readPointSteps()),
+    done_(0),
+    waiting_(0)
+{
+    contact_.sort(points_.method().grid(), points_.method().points());
+    refresh();
+
+    Info<< "Grains on points: " << pointSteps_ << " steps of the points in "
+        << stepsPerExchange << " DEM steps" << nl << endl;
+}
+
+
+Foam::scalar Foam::grainsOnPoints::pointRadius() const
+{
+    return
+        0.5*points_.method().grid().h()
+       /keywords::sub(dict_, "materialPoints")
+            .getOrDefault<label>("pointsPerCell", 2);
+}
+
+
+Foam::label Foam::grainsOnPoints::readPointSteps() const
+{
+    scalar lightest = GREAT;
+    for (const scalar mass : points_.mass())
+    {
+        lightest = min(lightest, mass);
+    }
+    reduce(lightest, minOp<scalar>());
+
+    const scalar limit = contact_.largestStep(lightest);
+
+    if (limit < timeStep())
+    {
+        FatalIOErrorInFunction(dict_)
+            << "The contact of grains and points needs steps of at most "
+            << limit << " s, and the DEM step is " << timeStep() << " s." << nl
+            << "    Lower grainsOnPoints/contact/stiffness, or timestep in the"
+            << " LIGGGHTS script." << exit(FatalIOError);
+    }
+
+    const scalar step = min(limit, points_.method().restStep());
+    return min
+    (
+        stepsPerExchange(),
+        label(std::ceil(exchangeInterval()/step*(1 - 1e-9)))
+    );
+}
+
+
+void Foam::grainsOnPoints::inStep(const grainsInStep& grains)
+{
+    const pointGrid& grid = points_.method().grid();
+    const pointSet& points = points_.method().points();
+
+    contact_.act
+    (
+        grains,
+        grid,
+        points,
+        points_.force(),
+        exchangeInterval()/pointSteps_
+    );
+
+    const label before = done_*pointSteps_/stepsPerExchange();
+    ++done_;
+    ++waiting_;
+
+    if (done_*pointSteps_/stepsPerExchange() > before)
+    {
+        for (vector& force : points_.force())
+        {
+            force /= waiting_;
+        }
+        points_.move(waiting_*timeStep());
+        for (vector& force : points_.force())
+        {
+            force = Zero;
+        }
+
+        contact_.sort(grid, points);
+        waiting_ = 0;
+    }
+}
+
+
+void Foam::grainsOnPoints::setFluidForce
+(
+    const UList<vector>&,
+    const UList<vector>&
+)
+{
+    FatalErrorInFunction
+        << "Grains on material points take no force of a fluid."
+        << exit(FatalError);
+}
+
+
+void Foam::grainsOnPoints::advance()
+{
+    done_ = 0;
+    points_.begin();
+    grains_.advance();
+    points_.end();
+    refresh();
+}
+
+
+void Foam::grainsOnPoints::refresh()
+{
+    join(position_, grains_.position(), points_.position());
+    join(velocity_, grains_.velocity(), points_.velocity());
+    join
+    (
+        angularVelocity_,
+        grains_.angularVelocity(),
+        points_.angularVelocity()
+    );
+    join(radius_, grains_.radius(), points_.radius());
+    join(mass_, grains_.mass(), points_.mass());
+    join(totalForce_, grains_.totalForce(), points_.totalForce());
+    join(fluidForce_, grains_.fluidForce(), points_.fluidForce());
+    join(fluidTorque_, grains_.fluidTorque(), points_.fluidTorque());
+
+    id_.setSize(position_.size());
+    forAll(id_, i)
+    {
+        const label point = i - grains_.size();
+        id_[i] = point < 0 ? grains_.id()[i] : firstPoint + points_.id()[point];
+    }
+}
+
+
+Foam::dictionary Foam::grainsOnPoints::activePhysics() const
+{
+    dictionary result(granularPhase::activePhysics());
+    result.add("LIGGGHTS", grains_.activePhysics());
+    result.add("materialPoints", points_.activePhysics());
+    result.add("contact", keywords::sub(dict_, "contact"));
+
+    return result;
+}
+
+
+Foam::autoPtr<Foam::grainSnapshot> Foam::grainsOnPoints::snapshot() const
+{
+    const autoPtr<grainSnapshot> grains(grains_.snapshot());
+    autoPtr<grainSnapshot> points(points_.snapshot());
+    auto result = autoPtr<grainSnapshot>::New(size());
+    grainSnapshot& all = *result;
+
+    for (label& type : points->type)
+    {
+        type += grains_.nTypes();
+    }
+
+    all.id = id_;
+    join(all.type, grains->type, points->type);
+    join(all.position, grains->position, points->position);
+    join(all.U, grains->U, points->U);
+    join(all.omega, grains->omega, points->omega);
+    join(all.d, grains->d, points->d);
+    join(all.mass, grains->mass, points->mass);
+    join(all.force, grains->force, points->force);
+    join(all.contactForce, grains->contactForce, points->contactForce);
+    join(all.stressMoment, grains->stressMoment, points->stressMoment);
+
+    wordHashSet walls(grains->wallForce.toc());
+    walls.insert(points->wallForce.toc());
+
+    for (const word& wall : walls)
+    {
+        vectorField force;
+        join
+        (
+            force,
+            grains->wallForce.lookup
+            (
+                wall, vectorField(grains->size(), Zero)
+            ),
+            points->wallForce.lookup
+            (
+                wall, vectorField(points->size(), Zero)
+            )
+        );
+        all.wallForce.insert(wall, force);
+    }
+
+    return result;
+}
+
+
+bool Foam::grainsOnPoints::writeState(const fileName& folder)
+{
+    const bool pointsComplete = points_.writeState(folder);
+    const bool grainsComplete = grains_.writeState(folder);
+    refresh();
+
+    return pointsComplete && grainsComplete;
+}
