@@ -3,6 +3,8 @@
 
 #include "calibration.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 statistics::vec statistics::calibration::all(const vec& x) const
@@ -206,4 +208,38 @@ statistics::fitted statistics::calibration::choose
         deviations[open_[i]] = best.deviation(i);
     }
     return best;
+}
+
+
+std::shared_ptr<const statistics::responseSurface> statistics::surfaceOf
+(
+    const mat& variables,
+    const mat& quantities,
+    const std::vector<freeParameter>& parameters,
+    const std::vector<bool>& mixed
+)
+{
+    mat x = variables;
+    const int nConditions = x.rows() - count(parameters);
+    vec centre(x.rows());
+    vec width(x.rows());
+    for (int k = 0; k < nConditions; ++k)
+    {
+        const vec row = x.row(k).transpose();
+        centre[k] = (row.maxCoeff() + row.minCoeff())/2;
+        width[k] = std::max((row.maxCoeff() - row.minCoeff())/2, small);
+    }
+    for (int i = 0; i < count(parameters); ++i)
+    {
+        const freeParameter& p = parameters[i];
+        const int k = nConditions + i;
+        for (int run = 0; run < x.cols(); ++run)
+        {
+            x(k, run) = p.scaled(x(k, run));
+        }
+        centre[k] = (p.lower + p.upper)/2;
+        width[k] = (p.upper - p.lower)/2;
+    }
+    return
+        std::make_shared<const responseSurface>(x, quantities, centre, width, mixed);
 }

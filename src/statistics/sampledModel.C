@@ -34,7 +34,8 @@ statistics::sampledModel::sampledModel
     repeats_(data.size(), 0),
     averaged_(1),
     clockUncertainty_(clockUncertainty),
-    bounds_(bounds)
+    bounds_(bounds),
+    covariance_(new covariance(data, clockUncertainty))
 {}
 
 

@@ -10,48 +10,8 @@ namespace
 
 using namespace statistics;
 
-//- The sort that the number of hypotheses counts in
-int sortOf(const hypothesis& h)
-{
-    return h.fault ? 3 : h.unknown ? 4 : h.mechanisms.size();
-}
-
-
-//- Adds twice the logarithm of the number of hypotheses of its sort
-void addNumbers(std::vector<scored>& list)
-{
-    std::vector<int> number(5, 0);
-    for (const scored& w : list)
-    {
-        ++number[sortOf(w.what)];
-    }
-    for (scored& w : list)
-    {
-        w.number = 2*std::log(double(number[sortOf(w.what)]));
-        w.score += w.number;
-    }
-}
-
-
-//- The covariance in the unit of the recording, if that is a larger one
-mat inItsUnit(const mat& covariance, const vec& noiseScales)
-{
-    return noiseScales.asDiagonal()*covariance*noiseScales.asDiagonal();
-}
-
-
-//- A channel has the record of another place: what the simulation is uncertain by goes
-//  with it
-bool isMoved(const hypothesis& h)
-{
-    return
-        h.fault
-     && (h.fault->kind == faultKind::swapped
-      || h.fault->kind == faultKind::misplaced);
-}
-
-
-//- Covariance of such an explanation at its fit: the sensors stay, all else is moved
+//- Covariance where a channel has the record of another place, at the fit: the sensors
+//  stay, and what the simulation is uncertain by goes with the record
 mat movedCovariance
 (
     const stacked& data,
@@ -86,16 +46,33 @@ mat movedCovariance
 
 statistics::mat statistics::scoring::ownCovariance
 (
-    const hypothesis& h,
+    const scored& w,
     const vec& f
 ) const
 {
-    if (!h.fault)
+    if (w.what.movesRecord())
     {
-        return covariance_.at(f);
+        return movedCovariance(data_, covariance_, surface_, model(w.what), w);
     }
-    const vec scales = h.fault->noiseScales(data_);
-    return inItsUnit(covariance_.at(f.cwiseQuotient(scales)), scales);
+    return
+        w.what.fault
+      ? inUnitOf
+        (
+            *w.what.fault,
+            covariance_.at(f.cwiseQuotient(w.what.fault->noiseScales(data_)))
+        )
+      : covariance_.at(f);
+}
+
+
+statistics::mat statistics::scoring::inUnitOf
+(
+    const sensorFault& fault,
+    const mat& covariance
+) const
+{
+    const vec scales = fault.noiseScales(data_);
+    return scales.asDiagonal()*covariance*scales.asDiagonal();
 }
 
 
@@ -175,28 +152,6 @@ statistics::scoring::scoreUnknown(const scored& base) const
 }
 
 
-void statistics::scoring::addPartly(std::vector<scored>& list) const
-{
-    std::vector<scored> partly;
-    for (const scored& w : list)
-    {
-        if (w.what.mechanisms.size() && partly.size() < 4)
-        {
-            partly.push_back(scoreUnknown(w));
-        }
-    }
-    for (const scored& w : list)
-    {
-        if (w.what.fault && w.what.fault->kind == faultKind::swapped)
-        {
-            partly.push_back(scoreUnknown(withOwnCovariance(w)));
-            break;
-        }
-    }
-    list.insert(list.end(), partly.begin(), partly.end());
-}
-
-
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 statistics::scoring::scoring
@@ -261,14 +216,7 @@ statistics::scoring::withOwnCovariance(const scored& first) const
     {
         for (int pass = 0; pass < 2; ++pass)
         {
-            const mat own =
-                isMoved(w.what)
-              ? movedCovariance
-                (
-                    data_, covariance_, surface_, model(w.what), w
-                )
-              : ownCovariance(w.what, w.best.f);
-            const mat c = own + modelDiscrepancy(w);
+            const mat c = ownCovariance(w, w.best.f) + modelDiscrepancy(w);
             w = withBaseCovariance(first.what, whitener(c));
             w.covariance = c;
         }
@@ -284,11 +232,8 @@ statistics::scored statistics::scoring::where(const scored& w) const
     scored there(w);
     if (!w.what.unknown)
     {
-        const mat own =
-            isMoved(w.what)
-          ? movedCovariance(data_, covariance_, surface_, model(w.what), w)
-          : ownCovariance(w.what, model(w.what)(w.best.x));
-        there.covariance = own + modelDiscrepancy(w);
+        there.covariance =
+            ownCovariance(w, model(w.what)(w.best.x)) + modelDiscrepancy(w);
     }
     return where(there, whitener(there.covariance));
 }
@@ -320,102 +265,4 @@ statistics::scored statistics::scoring::again
     next.number = w.number;
     next.score += w.number;
     return next;
-}
-
-
-std::vector<statistics::scored> statistics::scoring::all
-(
-    const std::vector<int>& mechanisms,
-    const std::vector<sensorFault>& faults,
-    const bool pairs
-) const
-{
-    // The others start from the base with its own covariance
-    const scored none(base());
-    const whitener white(none.covariance);
-
-    std::vector<scored> list;
-    list.push_back(withBaseCovariance(hypothesis(), white));
-    for (int i = 0; i < count(mechanisms); ++i)
-    {
-        hypothesis h;
-        h.mechanisms = {mechanisms[i]};
-        list.push_back(withBaseCovariance(h, white));
-        for (int j = i + 1; pairs && j < count(mechanisms); ++j)
-        {
-            h.mechanisms = {mechanisms[i], mechanisms[j]};
-            list.push_back(withBaseCovariance(h, white));
-        }
-    }
-    for (const sensorFault& fault : faults)
-    {
-        hypothesis h;
-        h.fault = fault;
-        const vec scales = fault.noiseScales(data_);
-        scored w
-        (
-            (scales.array() == 1).all()
-          ? withBaseCovariance(h, white)
-          : withBaseCovariance(h, whitener(inItsUnit(none.covariance, scales)))
-        );
-        if (isMoved(h))
-        {
-            const mat own =
-                movedCovariance(data_, covariance_, surface_, model(h), w);
-            w = withBaseCovariance(h, whitener(own));
-        }
-        list.push_back(w);
-    }
-    list.push_back(scoreUnknown(none));
-    addNumbers(list);
-    sortByScore(list);
-
-    // The best, the base and each mechanism alone, with their own covariance
-    const double limit = list.front().score + 30;
-    int withOwn = 0;
-    for (scored& w : list)
-    {
-        if (w.what.unknown)
-        {
-            continue;
-        }
-        const bool single = w.what.mechanisms.size() == 1;
-        if ((w.score < limit && withOwn++ < 12) || single || w.what.isNone())
-        {
-            w = withOwnCovariance(w);
-        }
-        else
-        {
-            w.covariance = none.covariance;
-        }
-    }
-    sortByScore(list);
-    addPartly(list);
-    sortByScore(list);
-    return list;
-}
-
-
-void statistics::setProbabilities
-(
-    std::vector<scored>& list,
-    const double temperature
-)
-{
-    double least = large;
-    for (const scored& w : list)
-    {
-        least = std::min(least, w.score);
-    }
-    double sum = 0;
-    for (scored& w : list)
-    {
-        w.probability =
-            std::exp(-std::min(0.5*(w.score - least)/temperature, 700.0));
-        sum += w.probability;
-    }
-    for (scored& w : list)
-    {
-        w.probability /= sum;
-    }
 }

@@ -14,9 +14,7 @@
 
 #include <algorithm>
 
-namespace Foam
-{
-namespace misfit
+namespace Foam::misfit
 {
 
 using statistics::calibration;
@@ -139,20 +137,12 @@ public:
         const dictionary& dict
     )
     {
-        const wordList mixed(dict.lookupOrDefault("mixed", variables));
-        for (const word& name : mixed)
-        {
-            if (!variables.found(name))
-            {
-                FatalIOErrorInFunction(dict)
-                    << "mixed names " << name << ", which is neither a condition nor a"
-                    << " parameter. There are " << variables << exit(FatalIOError);
-            }
-        }
+        const bool all = !dict.found("mixed");
+        const wordRes mixed(keywords::patterns(dict, "mixed", variables));
         std::vector<bool> result;
         for (const word& name : variables)
         {
-            result.push_back(mixed.found(name));
+            result.push_back(all || mixed.match(name));
         }
         return result;
     }
@@ -170,8 +160,7 @@ public:
         {
             names.append(p.name);
         }
-        mat x = columns(runs, names);
-        nRuns = x.cols();
+        nRuns = runs.column(0).size();
         if (nRuns <= names.size())
         {
             FatalIOErrorInFunction(dict)
@@ -180,28 +169,10 @@ public:
                 << " variables at least" << exit(FatalIOError);
         }
 
-        vec centre(names.size());
-        vec width(names.size());
-        for (label i = 0; i < count(parameters); ++i)
-        {
-            const freeParameter& p = parameters[i];
-            const label k = conditions.size() + i;
-            for (label run = 0; run < nRuns; ++run)
-            {
-                x(k, run) = p.scaled(x(k, run));
-            }
-            centre[k] = (p.lower + p.upper)/2;
-            width[k] = (p.upper - p.lower)/2;
-        }
-        for (label k = 0; k < conditions.size(); ++k)
-        {
-            const vec row = x.row(k).transpose();
-            centre[k] = (row.maxCoeff() + row.minCoeff())/2;
-            width[k] = max((row.maxCoeff() - row.minCoeff())/2, SMALL);
-        }
-        surface = std::make_shared<const responseSurface>
+        surface = statistics::surfaceOf
         (
-            x, columns(runs, quantities), centre, width, mayMix(names, dict)
+            columns(runs, names), columns(runs, quantities), parameters,
+            mayMix(names, dict)
         );
     }
 
@@ -272,7 +243,8 @@ public:
     string leftOut(const label quantity) const
     {
         const mat& errors = surface->leftOut();
-        return errors.cols()
+        return
+            errors.cols()
           ? Foam::name(std::sqrt(errors.row(quantity).squaredNorm()/errors.cols()))
           : string("none");
     }
@@ -282,10 +254,8 @@ public:
 //- Lines of the table of what was predicted
 void printPredictions(Ostream& os, const experiment& e, const vec& parameters)
 {
-    const auto line = [&]
-    (
-        const char* what, const vec& conditions, const label q, const string& wanted
-    )
+    const auto line =
+        [&](const char* what, const vec& conditions, const label q, const string& wanted)
     {
         os  << what << ',' << e.name << ',' << e.describe(conditions).c_str() << ','
             << e.quantities[q] << ',' << wanted.c_str() << ','
@@ -306,8 +276,7 @@ void printPredictions(Ostream& os, const experiment& e, const vec& parameters)
     }
 }
 
-} // End namespace misfit
-} // End namespace Foam
+} // End namespace Foam::misfit
 
 
 int main(int argc, char* argv[])
@@ -326,7 +295,6 @@ int main(int argc, char* argv[])
     startSerialTool();
     const argList args(argc, argv);
     const fileName file(args[1]);
-
     IFstream is(file);
     if (!is.good())
     {
@@ -336,18 +304,16 @@ int main(int argc, char* argv[])
     keywords::check(dict, {"FoamFile", "parameters", "experiments"});
 
     std::vector<freeParameter> parameters;
-    const dictionary& free = dict.subDict("parameters");
-    for (const word& name : free.toc())
+    for (const entry& e : dict.subDict("parameters"))
     {
-        parameters.push_back(readParameter(name, free.subDict(name)));
+        parameters.push_back(readParameter(e.keyword(), e.dict()));
     }
 
     std::vector<experiment> experiments;
     std::vector<calibrationTarget> targets;
-    const dictionary& kinds = dict.subDict("experiments");
-    for (const word& name : kinds.toc())
+    for (const entry& e : dict.subDict("experiments"))
     {
-        experiments.emplace_back(name, kinds.subDict(name), parameters);
+        experiments.emplace_back(e.keyword(), e.dict(), parameters);
         const auto& its = experiments.back().targets;
         targets.insert(targets.end(), its.begin(), its.end());
         experiments.back().printFreedom();

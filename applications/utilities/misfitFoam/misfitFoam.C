@@ -14,9 +14,7 @@
 
 #include <cmath>
 
-namespace Foam
-{
-namespace misfit
+namespace Foam::misfit
 {
 
 //- List the runs and what they will cost
@@ -88,8 +86,7 @@ void warnOf(const settings& set)
     }
 }
 
-} // End namespace misfit
-} // End namespace Foam
+} // End namespace Foam::misfit
 
 
 int main(int argc, char* argv[])

@@ -11,9 +11,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace Foam
-{
-namespace misfit
+namespace Foam::misfit
 {
 
 namespace
@@ -233,5 +231,4 @@ bool tableCheck::columnIsMoved(const columnFault& fault) const
     return !hasStated() || columnMoved(fault) <= othersMoved(fault);
 }
 
-} // End namespace misfit
-} // End namespace Foam
+} // End namespace Foam::misfit

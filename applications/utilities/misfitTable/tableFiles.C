@@ -11,9 +11,7 @@
 #include <map>
 #include <sstream>
 
-namespace Foam
-{
-namespace misfit
+namespace Foam::misfit
 {
 
 namespace
@@ -161,5 +159,4 @@ void writeCorrected
     }
 }
 
-} // End namespace misfit
-} // End namespace Foam
+} // End namespace Foam::misfit

@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace Foam
-{
-namespace misfit
+namespace Foam::misfit
 {
 
 namespace
@@ -243,5 +241,4 @@ string report(const tableCheck& check)
     return os.str();
 }
 
-} // End namespace misfit
-} // End namespace Foam
+} // End namespace Foam::misfit

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How sure the verdict is: what speaks for it, and how often such verdicts were right.
 
-#include "heldOutGates.H"
+#include "gates.H"
 #include "verdict.H"
 
 #include <algorithm>

@@ -137,7 +137,7 @@ bool Foam::misfit::correctionFitter::computeSensitivities()
         design.push_back(atBase_);
         design.back()[s_.bounds().nParameters + i] = elements()[i].size;
     }
-    for (const vec& x : parameterDesign(s_))
+    for (const vec& x : parameterDesign(s_.bounds()))
     {
         design.push_back(x);
     }

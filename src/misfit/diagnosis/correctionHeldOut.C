@@ -40,34 +40,19 @@ bool Foam::misfit::correctionFitter::holdsIn
     {
         return false;
     }
-    const samples after
+    const runState with
     (
-        s_.means
-        (
-            List<runState>
-            (
-                1,
-                inExperiment
-                (
-                    other.experiment, f, follows ? law : nullptr, before
-                )
-            )
-        ).first()
+        inExperiment(other.experiment, f, follows ? law : nullptr, before)
     );
-    const bool validates = other.use == purpose::validation;
-    const stacked& recorded = validates ? other.validation : other.test;
-    if (!after.ok() || !recorded.size())
+    const samples after(s_.means(List<runState>(1, with)).first());
+    if (!after.ok() || !other.of(other.use).size())
     {
         return false;
     }
-    found_.held.append
+    compare
     (
-        compared
-        (
-            heldOut::part::experiment, other.experiment, other.use, recorded,
-            validates ? before.validation : before.test,
-            validates ? after.validation : after.test, known, s_.set()
-        )
+        heldOut::part::experiment, other, other.use, before, after, known,
+        s_.set(), found_.held
     );
     const heldOut& h = found_.held.last();
     const scalar left =
@@ -88,29 +73,9 @@ void Foam::misfit::correctionFitter::test
     found_.after = f.explained.best.f;
     found_.left = scanResidual(s_, *m_.calibration, f.explained).p;
     found_.isEnough = found_.left >= set.adequacy;
-    const word& here = s_.data().experiment;
-    if (m_.validation->size())
-    {
-        found_.held.append
-        (
-            compared
-            (
-                heldOut::part::validation, here, purpose::validation,
-                m_.validation->data(), given_.validation, f.given.validation,
-                m_.validation->uncertainty(),
-                set
-            )
-        );
-    }
-    const stacked& testData = s_.data().test;
-    found_.held.append
+    compareHere
     (
-        compared
-        (
-            heldOut::part::test, here, purpose::test, testData,
-            given_.test, f.given.test, covariance(testData, set.clockUncertainty),
-            set
-        )
+        s_, given_, f.given, m_.validation->uncertainty(), found_.held
     );
     label asked = 0;
     label held = 0;

@@ -4,6 +4,8 @@
 #include "detect.H"
 #include "designs.H"
 
+#include <numeric>
+
 namespace
 {
 
@@ -42,26 +44,22 @@ std::vector<int> alwaysFailing
 //  fitted samples: a column for each
 mat shapes(const study& s, const sampledModel& calibration, const scored& base)
 {
-    mat all(calibration.size(), 0);
-    const auto add = [&all](const vec& change)
+    mat changes(calibration.size(), 0);
+    const auto add = [&changes](const vec& change)
     {
         if (change.norm() > SMALL)
         {
-            appendColumn(all, change);
+            appendColumn(changes, change);
         }
     };
 
     const vec at = calibration.model(base.what).expand(base.best.x);
-    forAll(s.set().candidates, i)
+    // A weak effect may look otherwise than a strong one, as one that delays
+    std::vector<int> all(s.names().size());
+    std::iota(all.begin(), all.end(), 0);
+    for (const vec& with : sensitivityDesign(s.bounds(), at, all, s.strengths()))
     {
-        // A weak effect may look otherwise than a strong one, as one that delays
-        const candidate& c = s.set().candidates[i];
-        for (const scalar strength : {c.weak, c.strong})
-        {
-            vec with = at;
-            with[s.bounds().nParameters + i] = strength;
-            add(calibration.surface()(with) - calibration.surface()(at));
-        }
+        add(calibration.surface()(with) - calibration.surface()(at));
     }
     for (const sensorFault& fault : possibleFaults(calibration.data(), s.set().faults))
     {
@@ -70,7 +68,7 @@ mat shapes(const study& s, const sampledModel& calibration, const scored& base)
             add(fault(calibration.data(), base.best.f, fault.slight) - base.best.f);
         }
     }
-    return all;
+    return changes;
 }
 
 
@@ -101,7 +99,9 @@ std::vector<int> Foam::misfit::addCalibrationRuns(study& s, models& m)
     Info<< "Calibration" << endl;
     std::vector<vec> design
     (
-        s.set().trainingEnsemble ? ensembleDesign(s) : parameterDesign(s)
+        s.set().trainingEnsemble
+      ? ensembleDesign(s.bounds(), s.set().trainingEnsemble, s.set().seed)
+      : parameterDesign(s.bounds())
     );
     if (s.trainingEnsemble().size())
     {
@@ -255,10 +255,11 @@ void Foam::misfit::addSensitivityRuns
     at.head(s.bounds().nParameters) =
         base.best.x.head(s.bounds().nParameters);
     std::vector<vec> design(1, at);
-    for (const vec& x : sensitivityDesign(s, at, candidates.left))
-    {
-        design.push_back(x);
-    }
+    const auto alone
+    (
+        sensitivityDesign(s.bounds(), at, candidates.left, s.strengths())
+    );
+    design.insert(design.end(), alone.begin(), alone.end());
     const stringList failures(addRuns(s, m, design));
 
     std::vector<int> left;

@@ -10,6 +10,7 @@
 #include "uncertainty.H"
 #include "verdict.H"
 
+#include <numeric>
 #include <stdexcept>
 
 namespace
@@ -156,22 +157,29 @@ Foam::misfit::plan(sampler& ask, const settings& set)
         stages.append
         ({
             "Calibration and sensitivities, a training ensemble of random runs",
-            replicated(s, ensembleDesign(s))
+            replicated
+            (
+                s, ensembleDesign(s.bounds(), set.trainingEnsemble, set.seed)
+            )
         });
     }
     else
     {
-        std::vector<int> every;
-        for (const label k : identity(set.candidates.size()))
-        {
-            every.push_back(k);
-        }
-        stages.append({"Calibration", replicated(s, parameterDesign(s))});
+        std::vector<int> every(set.candidates.size());
+        std::iota(every.begin(), every.end(), 0);
+        stages.append({"Calibration", replicated(s, parameterDesign(s.bounds()))});
         stages.append
         ({
             "Sensitivities of the mechanisms (around the calibrated state, not the"
             " one shown)",
-            replicated(s, sensitivityDesign(s, s.bounds().mean, every))
+            replicated
+            (
+                s,
+                sensitivityDesign
+                (
+                    s.bounds(), s.bounds().mean, every, s.strengths()
+                )
+            )
         });
     }
     if (set.correction.size())

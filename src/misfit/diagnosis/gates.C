@@ -3,8 +3,6 @@
 
 #include "gates.H"
 #include "detect.H"
-#include "heldOutGates.H"
-#include "robustnessGates.H"
 
 namespace
 {
@@ -147,18 +145,18 @@ std::map<Foam::word, Foam::misfit::covariance> Foam::misfit::askGates
     }
 
     const scored& best = e.best();
-    const heldOutTest test
+    const heldOutPredictions predicted
     (
-        testHeldOut
+        predictHeldOut
         (
             s, m, e,
             best.what.isNone() || blamesOneSensor(best.what)
          || !f.gates.passed(gateKind::evidence)
         )
     );
-    f.tested = test.held;
-    f.held = test.held;
-    for (const failedExperiment& failed : test.failed)
+    f.tested = predicted.held;
+    f.held = predicted.held;
+    for (const failedExperiment& failed : predicted.failed)
     {
         f.failedExperiments.append(failed.name);
         f.gates.add(failedGate(failed));
@@ -170,5 +168,5 @@ std::map<Foam::word, Foam::misfit::covariance> Foam::misfit::askGates
         f.gates.add(aloneGate(set, best.what, alone));
         f.gates.add(placeboGate(set, m, e, f.held, alone));
     }
-    return test.known;
+    return predicted.known;
 }

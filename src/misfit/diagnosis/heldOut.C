@@ -3,37 +3,61 @@
 
 #include "heldOut.H"
 
-Foam::List<Foam::misfit::heldOut> Foam::misfit::compared
+void Foam::misfit::compare
 (
     const heldOut::part what,
-    const word& experiment,
+    const observed& recorded,
     const purpose use,
-    const stacked& data,
-    const vec& before,
-    const vec& after,
+    const samples& before,
+    const samples& after,
     const covariance& known,
-    const rules& limits
+    const rules& limits,
+    List<heldOut>& held
 )
 {
+    const stacked& data = recorded.of(use);
+    const vec& from = before.of(use);
+    const vec& to = after.of(use);
     const label n = data.size();
-    if (!n || before.size() != n || after.size() != n)
+    if (!n || from.size() != n || to.size() != n)
     {
-        return List<heldOut>();
+        return;
     }
-    const mat uncertain(known.at(after));
+    const mat uncertain(known.at(to));
     const whitener white(uncertain);
     const auto square = [&](const vec& f)
     {
         return white(vec(data.y - f)).squaredNorm()/n;
     };
-    return List<heldOut>
+    held.append
+    ({
+        what, recorded.experiment, use, data, from, to,
+        uncertain.diagonal().cwiseSqrt(), square(from), square(to),
+        statistics::chanceOfSquare(n, limits.adequacy), matchLimit(n, limits)
+    });
+}
+
+
+void Foam::misfit::compareHere
+(
+    const study& s,
+    const samples& before,
+    const samples& after,
+    const covariance& known,
+    List<heldOut>& held
+)
+{
+    const observed& here = s.data();
+    using part = heldOut::part;
+    compare
     (
-        1,
-        {
-            what, experiment, use, data, before, after,
-            uncertain.diagonal().cwiseSqrt(), square(before), square(after),
-            statistics::chanceOfSquare(n, limits.adequacy), matchLimit(n, limits)
-        }
+        part::validation, here, purpose::validation, before, after, known, s.set(),
+        held
+    );
+    compare
+    (
+        part::test, here, purpose::test, before, after,
+        covariance(here.test, s.set().clockUncertainty), s.set(), held
     );
 }
 

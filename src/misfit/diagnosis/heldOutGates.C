@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What an answer must pass at data that were held out.
 
-#include "heldOutGates.H"
-#include "degradesHeldOut.H"
+#include "gates.H"
+#include "elsewhere.H"
 
 namespace
 {
@@ -78,7 +78,12 @@ gate degradesHeldOutGate
         (
             gateKind::degradesHeldOut,
             worse
-          ? chanceOfDegradation(m, best, h, s.set().modelDiscrepancy) : 1,
+          ? statistics::chanceOfDegradation
+            (
+                *m.calibration, *m.validation, best, h.before, h.after,
+                s.set().modelDiscrepancy
+            )
+          : 1,
             s.set().significance
         )
     );

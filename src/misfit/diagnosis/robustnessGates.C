@@ -2,47 +2,14 @@
 // What an answer must pass where the data are others: without a channel, without
 // something unknown, reversed or moved in time.
 
-#include "robustnessGates.H"
-#include "heldOutGates.H"
+#include "gates.H"
+#include "placebo.H"
 
 namespace
 {
 
 using namespace Foam;
 using namespace Foam::misfit;
-
-//- The score that an explanation gains over the base, where that was recorded
-scalar gain(const sampledModel& m, const hypothesis& h, const scalar discrepancy)
-{
-    const scoring score(m.score(discrepancy));
-    const scored base(score.base());
-    return
-        base.score
-      - score.withBaseCovariance(h, whitener(base.covariance)).score;
-}
-
-
-//- Each channel moved round by half of its length
-vec halfRoundLater(const stacked& data, const vec& v)
-{
-    vec moved(v.size());
-    for (const segment& s : data.segments)
-    {
-        for (label i = 0; i < s.size; ++i)
-        {
-            moved[s.first + i] = v[s.first + (i + s.size/2) % s.size];
-        }
-    }
-    return moved;
-}
-
-
-//- Cosine of the angle between two effects; 0 where they are against each other
-scalar likeness(const vec& a, const vec& b)
-{
-    return max(a.dot(b), 0.0)/max(a.norm()*b.norm(), VSMALL);
-}
-
 
 //- What wins without a channel
 scored winnerWithout
@@ -131,7 +98,7 @@ Foam::scalar Foam::misfit::gainAlone
     const hypothesis& what = e.best().what;
     if (what.mechanisms.size())
     {
-        return gain(m, what, discrepancy);
+        return statistics::gain(m, what, discrepancy);
     }
     for (const scored& w : e.all())
     {
@@ -167,32 +134,17 @@ Foam::misfit::gate Foam::misfit::placeboGate
     const scalar alone
 )
 {
+    // What held-out data confirm was seen at other times and places indeed
     const scored& best = e.best();
-    const stacked& data = m.calibration->data();
-    const vec y = data.y;
-    const vec base = e.baseline().best.f;
-    const auto copy(m.calibration->copy());
+    const statistics::placebo placebo
+    (
+        *m.calibration, e.baseline(), best, set.modelDiscrepancy,
+        isConfirmed(held, set) ? -1 : set.lastingEffect
+    );
 
-    copy->record(2*base - y);
-    scalar placebo = gain(*copy, best.what, set.modelDiscrepancy);
-
-    // An effect that lasts is much the same at another time: no placebo then. And
-    // what held-out data confirm was seen at other times and places indeed
-    const vec effect = best.best.f - base;
-    const whitener white(e.baseline().covariance);
-    const bool canMove =
-        !isConfirmed(held, set)
-     && likeness(white(effect), white(halfRoundLater(data, effect)))
-      < set.lastingEffect;
-    if (canMove)
-    {
-        copy->record(base + halfRoundLater(data, vec(y - base)));
-        placebo = max(placebo, gain(*copy, best.what, set.modelDiscrepancy));
-    }
-
-    gate g(gate::below(gateKind::placebo, placebo, set.placebo*alone));
+    gate g(gate::below(gateKind::placebo, placebo.gain, set.placebo*alone));
     g.applies = best.what.mechanisms.size() && alone >= set.evidence;
     g.gained = alone;
-    g.moved = canMove;
+    g.moved = placebo.moved;
     return g;
 }

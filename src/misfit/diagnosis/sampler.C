@@ -273,13 +273,14 @@ Foam::misfit::predictedSampler::operator()(const List<runState>& states)
         all[i].failure = p.failure;
         if (p.ok())
         {
-            const auto of = [&](const purpose use)
+            for
+            (
+                const purpose use :
+                {purpose::calibration, purpose::validation, purpose::test}
+            )
             {
-                return stack(recordings_, channels(e, use), p);
-            };
-            all[i].calibration = of(purpose::calibration);
-            all[i].validation = of(purpose::validation);
-            all[i].test = of(purpose::test);
+                all[i].of(use) = stack(recordings_, channels(e, use), p);
+            }
             all[i].possible = possibleStack(recordings_, data_, e, p);
             all[i].met = p.met;
         }

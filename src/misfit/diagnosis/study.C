@@ -82,6 +82,18 @@ Foam::misfit::study::namesOf(const std::vector<int>& strengths) const
 }
 
 
+std::vector<std::pair<Foam::scalar, Foam::scalar>>
+Foam::misfit::study::strengths() const
+{
+    std::vector<std::pair<scalar, scalar>> both;
+    for (const candidate& c : settings_.candidates)
+    {
+        both.push_back({c.weak, c.strong});
+    }
+    return both;
+}
+
+
 std::unique_ptr<Foam::misfit::sampledModel>
 Foam::misfit::study::model(const stacked& data) const
 {

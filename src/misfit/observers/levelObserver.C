@@ -7,13 +7,10 @@
 #include "keywords.H"
 #include "writtenTable.H"
 
-namespace Foam
-{
-namespace misfit
+namespace Foam::misfit
 {
     defineTypeNameAndDebug(levelObserver, 0);
     addToRunTimeSelectionTable(observer, levelObserver, channel);
-}
 }
 
 

@@ -4,13 +4,10 @@
 #include "observer.H"
 #include "keywords.H"
 
-namespace Foam
-{
-namespace misfit
+namespace Foam::misfit
 {
     defineTypeNameAndDebug(observer, 0);
     defineRunTimeSelectionTable(observer, channel);
-}
 }
 
 

@@ -7,9 +7,7 @@
 #include "polyMesh.H"
 #include "StringStream.H"
 
-namespace Foam
-{
-namespace misfit
+namespace Foam::misfit
 {
 
 //- Nearer to a face of these patches than half the size of that face
@@ -77,8 +75,7 @@ static string fault
     return os.str();
 }
 
-} // End namespace misfit
-} // End namespace Foam
+} // End namespace Foam::misfit
 
 
 void Foam::misfit::checkPlaces

@@ -7,13 +7,10 @@
 #include "fileName.H"
 #include "writtenTable.H"
 
-namespace Foam
-{
-namespace misfit
+namespace Foam::misfit
 {
     defineTypeNameAndDebug(probeObserver, 0);
     addToRunTimeSelectionTable(observer, probeObserver, channel);
-}
 }
 
 

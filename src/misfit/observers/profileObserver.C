@@ -8,13 +8,10 @@
 
 #include <map>
 
-namespace Foam
-{
-namespace misfit
+namespace Foam::misfit
 {
     defineTypeNameAndDebug(profileObserver, 0);
     addToRunTimeSelectionTable(observer, profileObserver, channel);
-}
 }
 
 

@@ -6,13 +6,10 @@
 #include "keywords.H"
 #include "writtenTable.H"
 
-namespace Foam
-{
-namespace misfit
+namespace Foam::misfit
 {
     defineTypeNameAndDebug(tableObserver, 0);
     addToRunTimeSelectionTable(observer, tableObserver, channel);
-}
 }
 
 

@@ -5,9 +5,7 @@
 #include "dimensionSets.H"
 #include "HashTable.H"
 
-namespace Foam
-{
-namespace misfit
+namespace Foam::misfit
 {
 
 static const dimensionSet dimStrainRate(dimless/dimTime);
@@ -69,8 +67,7 @@ static const HashTable<dimensionSet>& quantities()
     return table;
 }
 
-} // End namespace misfit
-} // End namespace Foam
+} // End namespace Foam::misfit
 
 
 const Foam::misfit::unit* Foam::misfit::findUnit(const word& name)

@@ -2,7 +2,6 @@
 // A finding in words: the verdict.
 
 #include "words.H"
-#include "StringStream.H"
 
 namespace
 {
@@ -19,15 +18,6 @@ wordList failedGates(const finding& f)
         names.append(gateNames[kind]);
     }
     return names;
-}
-
-
-//- True if held-out data were asked, whatever they said
-bool wasTried(const finding& f)
-{
-    return
-        f.gates.applied(gateKind::heldOut)
-     || f.gates.applied(gateKind::transfer);
 }
 
 
@@ -59,30 +49,6 @@ string theBest(const finding& f)
         }
     }
     return "the best explanation, " + describe(what, f.library);
-}
-
-
-string alternatives(const finding& f)
-{
-    bool mixed = false;
-    for (const scored& w : f.alternatives)
-    {
-        mixed =
-            mixed || w.what.mechanisms.size() > 1
-         || (w.what.unknown && w.what.mechanisms.size());
-    }
-    if (!mixed)
-    {
-        return inWords(answerOf(f), "or");
-    }
-    string words;
-    for (const scored& w : f.alternatives)
-    {
-        words +=
-            (words.empty() ? "" : ", or ") + describe(w.what, f.library)
-          + (w.what.mechanisms.size() > 1 ? " together" : "");
-    }
-    return words;
 }
 
 
@@ -132,87 +98,6 @@ string whatGainsTooLittle(const finding& f)
 }
 
 
-string whatMayBeAdded(const finding& f)
-{
-    // A lead of less is not worth a mention (Kass & Raftery 1995, J. Am. Stat.
-    // Assoc. 90:777)
-    const scalar mention = 2;
-    for (const scored& w : f.explained.all())
-    {
-        const bool better =
-            w.what.mechanisms.size() > f.best().what.mechanisms.size()
-         && w.what.contains(f.best().what)
-         && w.score == f.explained.lowestScore() && w.score < f.best().score - mention;
-        if (better)
-        {
-            return
-                " Together, " + describe(w.what.known(), f.library)
-              + " match better, but by no more than another formula of what is"
-                " named may.";
-        }
-    }
-    return "";
-}
-
-
-//- True if both of a set at once are as good as one of them
-bool mayBeTogether(const finding& f)
-{
-    std::vector<int> both;
-    for (const scored& w : f.alternatives)
-    {
-        if (w.what.mechanisms.size() == 1)
-        {
-            both.push_back(w.what.mechanisms.front());
-        }
-    }
-    if (f.alternatives.size() != 2 || both.size() != 2)
-    {
-        return false;
-    }
-    for (const scored& w : f.rivals)
-    {
-        const auto has = [&w](const int m)
-        {
-            return statistics::contains(w.what.mechanisms, m);
-        };
-        if (has(both[0]) && has(both[1]) && w.what.mechanisms.size() == 2)
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-
-string strengthsInWords(const finding& f)
-{
-    OStringStream os;
-    os.precision(3);
-    string before("; strength of ");
-    if (f.verdict == verdictKind::set || f.partly)
-    {
-        before =
-            ". As fitted with " + describe(f.best().what, f.library)
-          + ": strength of ";
-    }
-    for (const foundStrength& s : f.strengths)
-    {
-        os << before.c_str() << s.name << ' ' << s.value;
-        before = "; strength of ";
-        if (s.pinned)
-        {
-            os << (s.value > 0 ? ", the largest that is allowed" : ", the least");
-        }
-        else
-        {
-            os << " +- " << 2*s.deviation << " (95 %)";
-        }
-    }
-    return os.str();
-}
-
-
 string whatElsewhereSays(const finding& f)
 {
     for (const heldOut& h : f.tested)
@@ -230,22 +115,6 @@ string whatElsewhereSays(const finding& f)
 }
 
 
-string whatIsStillOff(const finding& f)
-{
-    OStringStream os;
-    os.precision(3);
-    for (const heldOut& h : f.tested)
-    {
-        if (h.use == purpose::validation && h.squareAfter > h.limitOfMatch)
-        {
-            os  << " It does not yet match " << describe(h).c_str()
-                << ": mean square " << h.squareAfter << ", a match is 1.";
-        }
-    }
-    return os.str();
-}
-
-
 string whatCouldNotBeAsked(const finding& f)
 {
     const wordList& names = f.failing;
@@ -253,89 +122,6 @@ string whatCouldNotBeAsked(const finding& f)
         names.empty() ? string()
       : " Not asked, as the solver failed with it: " + inWords(names, "and")
       + '.';
-}
-
-
-string whatWinsWithout(const finding& f)
-{
-    string words;
-    for (const scored& one : f.alternatives)
-    {
-        wordList channels;
-        for (const winner& w : f.winners)
-        {
-            const hypothesis& other = w.what.what;
-            if (other.fault == one.what.fault && other.hasMechanismsOf(one.what))
-            {
-                channels.append(w.channel);
-            }
-        }
-        if (channels.size())
-        {
-            words +=
-                (words.empty() ? " Without " : "; without ")
-              + inWords(channels, "or") + " a better match is "
-              + describe(one.what, f.library);
-        }
-    }
-    return words + (words.empty() ? "" : ".");
-}
-
-
-string whatIsLeftOut(const finding& f)
-{
-    const bool named = f.verdict == verdictKind::named;
-    string words
-    (
-        named
-      ? "Left out: " + inWords(f.names, "and")
-      : "Left out is one of these"
-      + string(f.weakened ? ": " : ", which these channels cannot tell apart: ")
-      + alternatives(f) + (mayBeTogether(f) ? ", or both" : "")
-    );
-    words += strengthsInWords(f) + '.' + whatWinsWithout(f);
-    if (named && f.hasMore())
-    {
-        words += " There is more to it, which these channels do not settle.";
-    }
-    words += named ? whatMayBeAdded(f) : string();
-    words += whatIsStillOff(f);
-    if (!wasTried(f))
-    {
-        words += " No held-out data had a misfit that could confirm it.";
-    }
-    return words;
-}
-
-
-//- The fault of the best with its size, and how sure that is
-string faultInWords(const finding& f)
-{
-    const sensorFault& fault = *f.best().what.fault;
-    const fitted& best = f.best().best;
-    const vec size = best.x.tail(fault.size());
-    segment at(f.data.segments.front());
-    for (const segment& s : f.data.segments)
-    {
-        at = s.name == fault.channel ? s : at;
-    }
-    OStringStream os;
-    os.precision(2);
-    os << describe(fault, at, size).c_str();
-    if (size.size() != 1 || !fault.hasSize())
-    {
-        return os.str();
-    }
-    const scalar deviation = best.deviation(best.x.size() - 1);
-    if (deviation > 0 && mag(size[0]) > deviation)
-    {
-        os << ", +- " << 200*deviation/mag(size[0]) << " % of that (95 %)";
-    }
-    if (best.pinned.back() && mag(size[0]) > SMALL)
-    {
-        os << ", the largest that is looked for";
-    }
-    return os.str();
 }
 
 
@@ -400,7 +186,7 @@ string describeVerdict(const finding& f)
                   : ""
                 );
         default:
-            return whatIsLeftOut(f);
+            return leftOutInWords(f);
     }
 }
 

@@ -2,7 +2,9 @@
 // Runs, each kept under the hash of its case, so that none is done twice.
 
 #include "runStore.H"
+#include "failureOf.H"
 #include "programFiles.H"
+#include "runEnd.H"
 #include "temporaryFolder.H"
 #include "textFile.H"
 
@@ -18,36 +20,6 @@ namespace
 {
 
 using namespace Foam;
-
-//- What etc/misfitRun says before the limit [s] that a run did not keep
-const string tookLonger(" took longer than ");
-
-
-//- How it tells of a program that was killed by somebody else, perhaps by a machine
-//  without room, or asked to stop
-const char* const stoppedFromOutside[] = {" ended with 137", " ended with 143"};
-
-
-//- The line that says why a run failed; what follows are the solver's words
-string reasonIn(const string& said)
-{
-    const auto first = min(said.find('\n'), said.size() - 1) + 1;
-    return said.substr(first, said.find('\n', first) - first);
-}
-
-
-//- True if a run did not fail by itself
-bool isFromOutside(const string& said)
-{
-    const string reason(reasonIn(said));
-    bool outside = reason.find(tookLonger) != string::npos;
-    for (const char* const stopped : stoppedFromOutside)
-    {
-        outside = outside || reason.find(stopped) != string::npos;
-    }
-    return outside;
-}
-
 
 //- In the folder of a run that is tried again: how it failed before
 const word failedBefore("failedBefore");
@@ -95,11 +67,12 @@ void Foam::misfit::runStore::prepare
 ) const
 {
     const fileName target(folder_/name);
-    string failed(contentOf(target/"finished"));
-    if (failed.empty() || isFromOutside(failed))
-    {
-        failed = contentOf(target/failedBefore);
-    }
+    const runEnd end(target);
+    const string failed
+    (
+        end.isKnown() && !end.isFromOutside()
+      ? end.said() : contentOf(target/failedBefore)
+    );
     if (isDir(target))
     {
         rmDir(target);
@@ -160,7 +133,7 @@ void Foam::misfit::runStore::make(const wordHashSet& todo) const
     }
     for (const word& run : todo)
     {
-        if (contentOf(folder_/run/"finished").empty())
+        if (!runEnd(folder_/run).isKnown())
         {
             FatalErrorInFunction
                 << "It is not known how the run " << folder_/run << " ended: it"
@@ -239,77 +212,54 @@ Foam::fileName Foam::misfit::runStore::caseOf(const wantedRun& run) const
 bool Foam::misfit::runStore::isFinished(const wantedRun& run) const
 {
     const word its(name(run));
-    const string said(contentOf(folder_/its/"finished"));
-    if (said.empty() || said.find("ok") == 0 || tried_.found(its))
+    const runEnd end(folder_/its);
+    if (!end.isKnown() || end.isWell() || tried_.found(its))
     {
-        return !said.empty();
+        return end.isKnown();
     }
-
-    const string reason(reasonIn(said));
-    const auto late = reason.find(tookLonger);
-    if (late != string::npos)
+    if (end.limit() >= 0)
     {
-        return timeLimit_ <= std::atof(reason.c_str() + late + tookLonger.size());
+        return timeLimit_ <= end.limit();
     }
 
     // That it failed need not be its own fault: the disk may have been full. But
     // what fails twice is not to cost a run in each call
-    return isFile(folder_/its/failedBefore, false) && !isFromOutside(said);
+    return isFile(folder_/its/failedBefore, false) && !end.isFromOutside();
 }
 
 
 Foam::string Foam::misfit::runStore::failure(const wantedRun& run) const
 {
-    const fileName file(folder_/name(run)/"finished");
-    const string said(contentOf(file));
-    if (said.find("ok") == 0)
-    {
-        return string();
-    }
-    const string reason(said.substr(min(said.find('\n'), said.size())));
-    return
-        reason.size()
-      ? reason
-      : string("how it ended is not known: no reason stands in " + file);
+    return runEnd(folder_/name(run)).failure();
 }
 
 
 Foam::scalar Foam::misfit::runStore::seconds(const wantedRun& run) const
 {
-    const string said(contentOf(folder_/name(run)/"finished"));
-    return std::atof(said.c_str() + min(said.find(' '), said.size()));
+    return runEnd(folder_/name(run)).seconds();
 }
 
 
 void Foam::misfit::runStore::rehearse(const List<wantedRun>& runs) const
 {
     checkPrograms();
-    const bool threw = FatalError.throwExceptions();
-    const bool threwIO = FatalIOError.throwExceptions();
-    string wrong;
     fileName here;
-    try
-    {
-        for (const wantedRun& run : runs)
-        {
-            const temporaryFolder scratch;
-            here = fileName(scratch)/"case";
-            template_.link(here);
-            run.change(here);
-        }
-    }
-    catch (const Foam::IOerror& e)
-    {
-        wrong =
-            e.message() + " in " + e.ioFileName() + " at line "
-          + Foam::name(e.ioStartLineNumber());
-    }
-    catch (const Foam::error& e)
-    {
-        wrong = e.message();
-    }
-    FatalError.throwExceptions(threw);
-    FatalIOError.throwExceptions(threwIO);
+    const string wrong
+    (
+        failureOf
+        (
+            [&]()
+            {
+                for (const wantedRun& run : runs)
+                {
+                    const temporaryFolder scratch;
+                    here = fileName(scratch)/"case";
+                    template_.link(here);
+                    run.change(here);
+                }
+            }
+        )
+    );
     if (wrong.size())
     {
         FatalErrorInFunction

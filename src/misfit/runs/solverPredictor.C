@@ -2,6 +2,7 @@
 // Predictions by runs of the solver.
 
 #include "solverPredictor.H"
+#include "failureOf.H"
 #include "fileDictionary.H"
 #include "keywords.H"
 
@@ -29,38 +30,6 @@ void addFunctions(const fileName& caseFolder, const dictionary& functions)
 }
 
 } // End anonymous namespace
-
-
-Foam::string Foam::misfit::describe(const runState& state)
-{
-    // Whatever precision a case that was read has set for all streams
-    OStringStream os;
-    os.precision(6);
-    os << "experiment " << state.experiment;
-    for (const auto* numbers : {&state.parameters, &state.strengths})
-    {
-        for (const word& name : numbers->sortedToc())
-        {
-            if (numbers == &state.parameters || (*numbers)[name] != 0)
-            {
-                os << ", " << name << ' ' << (*numbers)[name];
-            }
-        }
-    }
-    if (state.replicate)
-    {
-        os << ", replicate " << state.replicate;
-    }
-    if (state.resolution != "base")
-    {
-        os << ", other " << state.resolution;
-    }
-    if (state.noting)
-    {
-        os << ", the water noted";
-    }
-    return os.str();
-}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -177,26 +146,18 @@ void Foam::misfit::solverPredictor::readChannel
     const label i
 ) const
 {
+    const auto readIt = [&]()
+    {
+        p.channels[i] = o.read(caseFolder);
+        p.failure = fault(o.of(), p.channels[i]);
+    };
     if (mustBeThere)
     {
-        p.channels[i] = o.read(caseFolder);
-        p.failure = fault(o.of(), p.channels[i]);
+        readIt();
         return;
     }
-
-    const bool threw = FatalError.throwExceptions();
-    const bool threwIO = FatalIOError.throwExceptions();
-    try
-    {
-        p.channels[i] = o.read(caseFolder);
-        p.failure = fault(o.of(), p.channels[i]);
-    }
-    catch (const Foam::error& e)
-    {
-        p.failure = e.message();
-    }
-    FatalError.throwExceptions(threw);
-    FatalIOError.throwExceptions(threwIO);
+    const string failure(failureOf(readIt));
+    p.failure = failure.empty() ? p.failure : failure;
 }
 
 

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Possible explanations of a misfit, all of them fitted, in the order of their scores.
+
+#include "hypothesis.H"
+
+#include <cmath>
+
+namespace
+{
+
+using namespace statistics;
+
+//- The sort that the number of hypotheses counts in
+int sortOf(const hypothesis& h)
+{
+    return h.fault ? 3 : h.unknown ? 4 : h.mechanisms.size();
+}
+
+
+//- Adds twice the logarithm of the number of hypotheses of its sort
+void addNumbers(std::vector<scored>& list)
+{
+    std::vector<int> number(5, 0);
+    for (const scored& w : list)
+    {
+        ++number[sortOf(w.what)];
+    }
+    for (scored& w : list)
+    {
+        w.number = 2*std::log(double(number[sortOf(w.what)]));
+        w.score += w.number;
+    }
+}
+
+} // End anonymous namespace
+
+
+void statistics::scoring::addPartly(std::vector<scored>& list) const
+{
+    std::vector<scored> partly;
+    for (const scored& w : list)
+    {
+        if (w.what.mechanisms.size() && partly.size() < 4)
+        {
+            partly.push_back(scoreUnknown(w));
+        }
+    }
+    for (const scored& w : list)
+    {
+        if (w.what.fault && w.what.fault->kind == faultKind::swapped)
+        {
+            partly.push_back(scoreUnknown(withOwnCovariance(w)));
+            break;
+        }
+    }
+    list.insert(list.end(), partly.begin(), partly.end());
+}
+
+
+std::vector<statistics::scored> statistics::scoring::all
+(
+    const std::vector<int>& mechanisms,
+    const std::vector<sensorFault>& faults,
+    const bool pairs
+) const
+{
+    // The others start from the base with its own covariance
+    const scored none(base());
+    const whitener white(none.covariance);
+
+    std::vector<scored> list;
+    list.push_back(withBaseCovariance(hypothesis(), white));
+    for (int i = 0; i < count(mechanisms); ++i)
+    {
+        hypothesis h;
+        h.mechanisms = {mechanisms[i]};
+        list.push_back(withBaseCovariance(h, white));
+        for (int j = i + 1; pairs && j < count(mechanisms); ++j)
+        {
+            h.mechanisms = {mechanisms[i], mechanisms[j]};
+            list.push_back(withBaseCovariance(h, white));
+        }
+    }
+    for (const sensorFault& fault : faults)
+    {
+        hypothesis h;
+        h.fault = fault;
+        scored w
+        (
+            (fault.noiseScales(data_).array() == 1).all()
+          ? withBaseCovariance(h, white)
+          : withBaseCovariance(h, whitener(inUnitOf(fault, none.covariance)))
+        );
+        if (h.movesRecord())
+        {
+            w = withBaseCovariance(h, whitener(ownCovariance(w, w.best.f)));
+        }
+        list.push_back(w);
+    }
+    list.push_back(scoreUnknown(none));
+    addNumbers(list);
+    sortByScore(list);
+
+    // The best, the base and each mechanism alone, with their own covariance
+    const double limit = list.front().score + 30;
+    int withOwn = 0;
+    for (scored& w : list)
+    {
+        if (w.what.unknown)
+        {
+            continue;
+        }
+        const bool single = w.what.mechanisms.size() == 1;
+        if ((w.score < limit && withOwn++ < 12) || single || w.what.isNone())
+        {
+            w = withOwnCovariance(w);
+        }
+        else
+        {
+            w.covariance = none.covariance;
+        }
+    }
+    sortByScore(list);
+    addPartly(list);
+    sortByScore(list);
+    return list;
+}
+
+
+void statistics::setProbabilities
+(
+    std::vector<scored>& list,
+    const double temperature
+)
+{
+    double least = large;
+    for (const scored& w : list)
+    {
+        least = std::min(least, w.score);
+    }
+    double sum = 0;
+    for (scored& w : list)
+    {
+        w.probability =
+            std::exp(-std::min(0.5*(w.score - least)/temperature, 700.0));
+        sum += w.probability;
+    }
+    for (scored& w : list)
+    {
+        w.probability /= sum;
+    }
+}
