@@ -26,6 +26,40 @@ TEST(materialPointsPhase, pointsHaveTheMassOfTheBodyAndTheRadiusOfItsSolid)
 }
 
 
+TEST(materialPointsPhase, aGrainDiameterIsTheCoarseGraining)
+{
+    testMesh box(slice());
+    const auto withGrains = [&](const string& first, const string& second)
+    {
+        return points
+        (
+            box.mesh(),
+            "box ((0 0 0) (0.2 1 0.2)); } " + first + " } clay { " + sand
+          + second + " region { box ((0.4 0 0) (0.5 1 0.2));"
+        );
+    };
+
+    auto phase = withGrains("grainDiameter 0.001;", "");
+    EXPECT_NEAR(phase->coarseGraining(), 2*phase->radius()[0]/0.001, 1e-9);
+    EXPECT_EQ(points(box.mesh())->coarseGraining(), 1);
+
+    const std::string wide
+    (
+        refusal([&]() { withGrains("grainDiameter 0.1;", ""); })
+    );
+    EXPECT_NE(wide.find("grainDiameter is 0.1 m"), std::string::npos) << wide;
+
+    const std::string two
+    (
+        refusal
+        (
+            [&]() { withGrains("grainDiameter 0.001;", "grainDiameter 0.002;"); }
+        )
+    );
+    EXPECT_NE(two.find("all bodies have one ratio"), std::string::npos) << two;
+}
+
+
 TEST(materialPointsPhase, theBaseBearsTheWeightAndTheSnapshotTellsIt)
 {
     testMesh box(slice());

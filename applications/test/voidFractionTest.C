@@ -362,6 +362,32 @@ TEST(sphereCaps, aGrainBesideAFaceHasItsCapBeyond)
 }
 
 
+TEST(sphereCaps, anEnlargedGrainHasTheCapOfALargerSphere)
+{
+    const point c(0.4375, 0.4375, 0.4375);
+    const point next(c + vector(0.125, 0, 0));
+    const point at(c + vector(0.125/2 - 0.3*radius, 0, 0));
+
+    testMesh test(box());
+    standingGrains grains(test.mesh());
+    grains.grains = grainSnapshot(1);
+    grains.grains.position = at;
+    grains.radii = scalarField(1, radius/2);
+    grainExchange exchange(test.mesh());
+    exchange.locate(grains);
+
+    dictionary dict(settings("sphereCaps", "none"));
+    dict.add("enlargement", 2);
+    voidFraction p(exchange, dict);
+    p.update();
+
+    const label cell = test.mesh().findCell(next);
+    const scalar solid = p.solidFraction()[cell]*test.mesh().V()[cell];
+    EXPECT_NEAR(solid/p.mapping().volumes()[0], capShare(0.3*radius), 1e-12);
+    EXPECT_NEAR(lostVolume(test.mesh(), p, 1), 1 - 1.0/8, 1e-12);
+}
+
+
 TEST(sphereCaps, aGrainOnACornerIsInEightEqualParts)
 {
     const point corner(0.5, 0.5, 0.5);
@@ -614,6 +640,24 @@ TEST(voidFraction, refusesAnUnknownModelWithTheChoices)
     {
         EXPECT_NE(e.message().find("satellitePoints"), std::string::npos);
     }
+}
+
+
+TEST(voidFraction, anEnlargementIsForCapsAloneAndNotBelowOne)
+{
+    testMesh test(box());
+    grainExchange exchange(test.mesh());
+
+    const auto said = [&](const word& model, const scalar enlargement)
+    {
+        dictionary dict(settings(model, "none"));
+        dict.add("enlargement", enlargement);
+        return refusal([&]{ voidFraction p(exchange, dict); });
+    };
+
+    EXPECT_EQ(said("sphereCaps", 1.9), "nothing");
+    EXPECT_NE(said("sphereCaps", 0.9).find("is 0.9"), std::string::npos);
+    EXPECT_NE(said("centroid", 1.9).find("enlargement"), std::string::npos);
 }
 
 

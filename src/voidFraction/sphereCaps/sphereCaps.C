@@ -13,3 +13,17 @@ namespace voidFractionModels
     addToRunTimeSelectionTable(voidFractionModel, sphereCaps, dictionary);
 }
 }
+
+
+Foam::voidFractionModels::sphereCaps::sphereCaps(const dictionary& dict)
+:
+    enlargement_(dict.getOrDefault<scalar>("enlargement", 1))
+{
+    if (!(enlargement_ >= 1))
+    {
+        FatalIOErrorInFunction(dict)
+            << "enlargement is " << enlargement_
+            << "; a grain is spread over its own volume, 1, or a larger one."
+            << exit(FatalIOError);
+    }
+}

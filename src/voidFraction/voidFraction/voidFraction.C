@@ -19,7 +19,9 @@ Foam::voidFraction::voidFraction
     solidFraction_(mesh_.nCells(), Zero),
     spreadVolume_(0)
 {
-    keywords::check(dict, {"model", "minimum", "smoothing"});
+    wordList known({"model", "minimum", "smoothing"});
+    known.append(model_->ownKeywords());
+    keywords::check(dict, known);
 
     if (minimum_ <= 0 || minimum_ >= 1)
     {

@@ -113,6 +113,7 @@ Foam::materialPointsPhase::materialPointsPhase
         }
         solidDensity_.append(solid);
     }
+    setCoarseGraining();
 
     timeStep_ = readTimeStep();
 
@@ -126,6 +127,54 @@ Foam::materialPointsPhase::materialPointsPhase
         << " m, step " << timeStep_ << " s, exchange every "
         << stepsPerExchange << " steps = " << exchangeInterval() << " s" << nl
         << endl;
+}
+
+
+void Foam::materialPointsPhase::setCoarseGraining()
+{
+    const label perCell = dict_.getOrDefault<label>("pointsPerCell", 2);
+    const scalar volume =
+        method_.grid().cubeVolume(method_.grid().h()/perCell);
+    scalar ratio = 0;
+
+    forAll(method_.bodies(), i)
+    {
+        const dictionary& body =
+            dict_.subDict("bodies").subDict(method_.bodies()[i]);
+        if (!body.found("grainDiameter"))
+        {
+            continue;
+        }
+
+        const scalar grain = body.get<scalar>("grainDiameter");
+        const scalar point =
+            cbrt(6/M_PI*volume*body.get<scalar>("density")/solidDensity_[i]);
+
+        if (!(grain > 0 && grain <= point))
+        {
+            FatalIOErrorInFunction(body)
+                << "grainDiameter is " << grain << " m; it must lie above zero"
+                << " and up to that of the solid of a point, " << point << " m."
+                << nl << "    Take larger cells, or fewer points in each."
+                << exit(FatalIOError);
+        }
+        if (ratio > 0 && mag(point/grain - ratio) > 1e-3*ratio)
+        {
+            FatalIOErrorInFunction(body)
+                << "A point stands for grains of " << grain << " m, "
+                << point/grain << " times as large as they are, and in another"
+                << " body " << ratio << " times: all bodies have one ratio."
+                << nl << "    Give each a grainDiameter of "
+                << point/ratio << " m, or coarseGraining in their place."
+                << exit(FatalIOError);
+        }
+        ratio = point/grain;
+    }
+
+    if (ratio > 0)
+    {
+        coarseGraining_ = ratio;
+    }
 }
 
 
