@@ -370,9 +370,7 @@ TEST(sphereCaps, anEnlargedGrainHasTheCapOfALargerSphere)
 
     testMesh test(box());
     standingGrains grains(test.mesh());
-    grains.grains = grainSnapshot(1);
-    grains.grains.position = at;
-    grains.radii = scalarField(1, radius/2);
+    place(grains, pointField(1, at), radius/2);
     grainExchange exchange(test.mesh());
     exchange.locate(grains);
 
