@@ -112,10 +112,10 @@ TEST(misfitChannel, samplesAreMeansOfTheReadingsInThem)
     files f;
     f.write("S1.csv", text);
     const channel c(make(f, "file \"S1.csv\";", 10));
-    ASSERT_EQ(c.size(), 10);
-    EXPECT_NEAR(c.span(), 0.1, 1e-12);
-    EXPECT_NEAR(c.centre()[3], 0.35, 1e-12);
-    EXPECT_NEAR(c.readings()[3], 100, 1);
+    ASSERT_EQ(c.samples().size, 10);
+    EXPECT_NEAR(c.samples().span, 0.1, 1e-12);
+    EXPECT_NEAR(c.samples().x[3], 0.35, 1e-12);
+    EXPECT_NEAR(c.samples().readings[3], 100, 1);
     EXPECT_NEAR(c.sampled()[3], 2*350, 2);
 
     // A simulation with long steps is sampled in the same way
@@ -129,9 +129,9 @@ TEST(misfitChannel, fewReadingsAreTakenAsTheyAre)
     files f;
     f.write("S1.csv", "t_s,p_Pa\n0,1\n1,2\n5,4\n");
     const channel c(make(f, "file \"S1.csv\";"));
-    ASSERT_EQ(c.size(), 3);
-    EXPECT_EQ(c.span(), 0);
-    EXPECT_EQ(c.centre()[2], 5);
+    ASSERT_EQ(c.samples().size, 3);
+    EXPECT_EQ(c.samples().span, 0);
+    EXPECT_EQ(c.samples().x[2], 5);
 }
 
 
@@ -140,7 +140,7 @@ TEST(misfitChannel, onlyTheIntervalCounts)
     files f;
     f.write("S1.csv", "t_s,p_Pa\n0,1\n1,2\n2,4\n3,5\n4,6\n");
     const channel c(make(f, "file \"S1.csv\"; interval (1 3);"));
-    EXPECT_EQ(c.size(), 3);
+    EXPECT_EQ(c.samples().size, 3);
     EXPECT_EQ(c.sampled()[0], 2);
 }
 
@@ -152,8 +152,8 @@ TEST(misfitChannel, aNumberAloneIsOneSampleInSI)
     EXPECT_TRUE(c.isRecorded());
     EXPECT_FALSE(c.overTime());
     EXPECT_EQ(c.at(), 0);
-    EXPECT_EQ(c.recorder(), "logger");
-    ASSERT_EQ(c.size(), 1);
+    EXPECT_EQ(c.samples().recorder, "logger");
+    ASSERT_EQ(c.samples().size, 1);
     EXPECT_NEAR(c.sampled()[0], 3000, 1e-9);
 
     series simulated;
@@ -193,9 +193,9 @@ TEST(misfitChannel, theQuietTimeBeforeTheArrivalShowsTheNoise)
     files f;
     f.write("S1.csv", text);
     const channel c(make(f, "file \"S1.csv\";"));
-    EXPECT_NEAR(c.uncertainty(), 5, 0.5);
-    EXPECT_NEAR(c.memory(), 0.001/std::log(2.0), 0.0003);
-    EXPECT_EQ(make(f, "file \"S1.csv\"; memory 0.3;").memory(), 0.3);
+    EXPECT_NEAR(c.samples().uncertainty, 5, 0.5);
+    EXPECT_NEAR(c.samples().memory, 0.001/std::log(2.0), 0.0003);
+    EXPECT_EQ(make(f, "file \"S1.csv\"; memory 0.3;").samples().memory, 0.3);
 }
 
 
@@ -292,7 +292,7 @@ TEST(misfitChannel, aVariableInTheNameMustBeSetOrHaveADefault)
     files f;
     f.write("S1.csv", text);
     const std::string folder("${NOT_SET:-" + f.folder() + "}");
-    EXPECT_EQ(make(f, "file \"" + folder + "/S1.csv\";").size(), 4);
+    EXPECT_EQ(make(f, "file \"" + folder + "/S1.csv\";").samples().size, 4);
 }
 
 
@@ -311,7 +311,7 @@ TEST(misfitChannel, duplicateTimesAreRefusedOrAveraged)
     files f;
     f.write("S1.csv", text);
     const channel c(make(f, "file \"S1.csv\"; duplicates average;"));
-    ASSERT_EQ(c.size(), 4);
+    ASSERT_EQ(c.samples().size, 4);
     EXPECT_EQ(c.sampled()[1], 3);
 }
 

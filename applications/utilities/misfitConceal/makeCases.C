@@ -212,7 +212,7 @@ void Foam::misfit::makeCases
             const channel& ch = all.channels()[k];
             const label e = all.experiments().find(ch.experiment());
             series s(cases[i].recorded(mine[e].channels[k], ch.name()));
-            lots.addNoise(s, cases[i].level*ch.uncertainty());
+            lots.addNoise(s, cases[i].level*ch.samples().uncertainty);
             writeCsv(target/ch.name() + ".csv", s, ch.quantity());
         }
         writeWhole(target/"level", shortNumber(cases[i].level) + '\n');

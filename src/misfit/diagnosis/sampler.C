@@ -18,28 +18,8 @@ vec toVec(const scalarList& list)
 
 segment segmentOf(const channel& c, const label first)
 {
-    segment s;
-    s.name = c.name();
-    s.quantity = c.quantity();
-    s.recorder = c.recorder();
+    segment s(c.samples());
     s.first = first;
-    s.size = c.size();
-    s.x = toVec(c.centre());
-    s.span = c.span();
-    s.overTime = c.overTime();
-    s.hasPlace = c.hasPlace();
-    s.place << c.place().x(), c.place().y(), c.place().z();
-    s.uncertainty = c.uncertainty();
-    s.memory = c.memory();
-    s.gainUncertainty = c.gainUncertainty();
-    s.zeroUncertainty = c.zeroUncertainty();
-
-    const labelList n(c.readings());
-    s.readings.resize(n.size());
-    forAll(n, i)
-    {
-        s.readings[i] = n[i];
-    }
     return s;
 }
 
@@ -55,8 +35,8 @@ stacked possible(const recordings& all, const word& experiment)
     {
         if (c.isRecorded() && c.overTime() && c.experiment() == experiment)
         {
-            first = min(first, c.centre().first());
-            last = max(last, c.centre().last());
+            first = min(first, c.samples().x[0]);
+            last = max(last, c.samples().x.tail(1)[0]);
         }
     }
     label n = 0;
@@ -124,7 +104,7 @@ Foam::misfit::stacked Foam::misfit::stack
     for (const label i : channels)
     {
         data.segments.push_back(segmentOf(all.channels()[i], n));
-        n += all.channels()[i].size();
+        n += all.channels()[i].samples().size;
     }
     data.y.resize(n);
     forAll(channels, i)

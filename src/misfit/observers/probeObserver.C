@@ -39,7 +39,7 @@ Foam::dictionary Foam::misfit::probes
 
 void Foam::misfit::requirePlace(const channel& c)
 {
-    if (!c.hasPlace())
+    if (!c.samples().hasPlace)
     {
         FatalIOErrorInFunction(c.simulated())
             << "The channel " << c.name() << " is observed at a point, but has"

@@ -60,34 +60,40 @@ void Foam::misfit::channel::cut(const dictionary& dict)
 void Foam::misfit::channel::divide(const label n)
 {
     const scalarList& x = recorded_.x;
-    start_.clear();
-    centre_.clear();
-
-    if (x.size() <= n)
+    scalarList centre(x);
+    start_ = identity(x.size() + 1);
+    samples_.span = 0;
+    if (x.size() > n)
     {
-        span_ = 0;
-        start_ = identity(x.size() + 1);
-        centre_ = x;
-        return;
+        start_.clear();
+        centre.clear();
+        samples_.span = (x.last() - x.first())/n;
+        label i = 0;
+        for (label k = 0; k < n; ++k)
+        {
+            const label first = i;
+            const scalar end = x.first() + (k + 1)*samples_.span;
+            while (i < x.size() && (x[i] < end || k == n - 1))
+            {
+                ++i;
+            }
+            if (i > first)
+            {
+                start_.append(first);
+                centre.append(end - 0.5*samples_.span);
+            }
+        }
+        start_.append(x.size());
     }
 
-    span_ = (x.last() - x.first())/n;
-    label i = 0;
-    for (label k = 0; k < n; ++k)
+    samples_.size = centre.size();
+    samples_.x.resize(samples_.size);
+    samples_.readings.resize(samples_.size);
+    forAll(centre, k)
     {
-        const label first = i;
-        const scalar end = x.first() + (k + 1)*span_;
-        while (i < x.size() && (x[i] < end || k == n - 1))
-        {
-            ++i;
-        }
-        if (i > first)
-        {
-            start_.append(first);
-            centre_.append(end - 0.5*span_);
-        }
+        samples_.x[k] = centre[k];
+        samples_.readings[k] = start_[k+1] - start_[k];
     }
-    start_.append(x.size());
 }
 
 
@@ -122,13 +128,13 @@ void Foam::misfit::channel::estimateNoise(const bool memoryGiven)
         neighbours += i ? (y[i] - mean)*(y[i-1] - mean)/quiet : 0;
     }
 
-    uncertainty_ = max(uncertainty_, Foam::sqrt(variance));
+    samples_.uncertainty = max(samples_.uncertainty, Foam::sqrt(variance));
 
     // A neighbour that is alike by less than chance would make it: white
     const scalar alike = variance > 0 ? neighbours/variance : 0;
     if (!memoryGiven && alike > 2/Foam::sqrt(scalar(quiet)))
     {
-        memory_ = -(x[1] - x[0])/std::log(min(alike, 0.999));
+        samples_.memory = -(x[1] - x[0])/std::log(min(alike, 0.999));
     }
 }
 
@@ -137,11 +143,12 @@ void Foam::misfit::channel::doubtUncertainty() const
 {
     const scalarList& y = recorded_.y;
     const scalar range = rangeOf(y);
-    if (y.size() > 1 && range <= uncertainty_)
+    if (y.size() > 1 && range <= samples_.uncertainty)
     {
         WarningInFunction
             << "Channel " << name_ << " does not change by more than its uncertainty:"
-            << " its range is " << range << ", its uncertainty " << uncertainty_
+            << " its range is " << range << ", its uncertainty "
+            << samples_.uncertainty
             << " (SI), so it can say little. Is the sensor dead or dry, or the"
             << " uncertainty not in SI units?" << endl;
     }
@@ -162,20 +169,11 @@ Foam::misfit::channel::channel
     name_(name),
     experiment_(dict.getOrDefault<word>("experiment", "A")),
     purpose_(use),
-    quantity_(dict.get<word>("quantity")),
-    recorder_(dict.getOrDefault<word>("recorder", word())),
     at_(dict.getOrDefault<scalar>("at", dict.found("value") ? 0 : -1)),
-    hasPlace_(dict.found("place")),
-    place_(dict.getOrDefault<point>("place", Zero)),
-    uncertainty_(dict.get<scalar>("uncertainty")),
-    memory_(dict.getOrDefault<scalar>("memory", 0)),
-    gainUncertainty_(dict.getOrDefault<scalar>("gainUncertainty", 0)),
-    zeroUncertainty_(dict.getOrDefault<scalar>("zeroUncertainty", 0)),
     interval_
     (
         dict.getOrDefault("interval", Tuple2<scalar, scalar>(-GREAT, GREAT))
     ),
-    span_(0),
     simulated_(dict.subDict("simulated"))
 {
     keywords::check
@@ -188,19 +186,32 @@ Foam::misfit::channel::channel
             "duplicates", "interval", "simulated"
         }
     );
-    if (!findQuantity(quantity_))
+    const point place(dict.getOrDefault<point>("place", Zero));
+    statistics::segment& s = samples_;
+    s.name = name;
+    s.quantity = dict.get<word>("quantity");
+    s.recorder = dict.getOrDefault<word>("recorder", word());
+    s.overTime = at_ < 0;
+    s.hasPlace = dict.found("place");
+    s.place << place.x(), place.y(), place.z();
+    s.uncertainty = dict.get<scalar>("uncertainty");
+    s.memory = dict.getOrDefault<scalar>("memory", 0);
+    s.gainUncertainty = dict.getOrDefault<scalar>("gainUncertainty", 0);
+    s.zeroUncertainty = dict.getOrDefault<scalar>("zeroUncertainty", 0);
+
+    if (!findQuantity(quantity()))
     {
         FatalIOErrorInFunction(dict)
-            << "The quantity " << quantity_ << " of the channel " << name
+            << "The quantity " << quantity() << " of the channel " << name
             << " is not known. Valid quantities:"
             << keywords::listed(quantityNames()).c_str()
             << exit(FatalIOError);
     }
-    if (uncertainty_ <= 0)
+    if (s.uncertainty <= 0)
     {
         FatalIOErrorInFunction(dict)
             << "The uncertainty of the channel " << name << " is "
-            << uncertainty_ << "; it must be above zero: the standard"
+            << s.uncertainty << "; it must be above zero: the standard"
             << " deviation of a reading in SI units" << exit(FatalIOError);
     }
 
@@ -221,29 +232,18 @@ Foam::misfit::channel::channel
 
 // * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
 
-Foam::labelList Foam::misfit::channel::readings() const
-{
-    labelList n(size());
-    forAll(n, k)
-    {
-        n[k] = start_[k+1] - start_[k];
-    }
-    return n;
-}
-
-
 Foam::scalarList Foam::misfit::channel::sampled(const series& simulated) const
 {
-    scalarList samples(size(), 0.0);
-    forAll(samples, k)
+    scalarList means(samples_.size, 0.0);
+    forAll(means, k)
     {
         for (label i = start_[k]; i < start_[k+1]; ++i)
         {
-            samples[k] += simulated(recorded_.x[i]);
+            means[k] += simulated(recorded_.x[i]);
         }
-        samples[k] /= start_[k+1] - start_[k];
+        means[k] /= samples_.readings[k];
     }
-    return samples;
+    return means;
 }
 
 

@@ -162,7 +162,7 @@ void Foam::misfit::channel::readRecorded
 
     recorded_.x =
         readColumn(dict, table, xColumn, overTime() ? "time" : "length", "x");
-    recorded_.y = readColumn(dict, table, yColumn, quantity_, "");
+    recorded_.y = readColumn(dict, table, yColumn, quantity(), "");
     source_ = table.file() + ':' + table.names()[yColumn];
     checkOrder(dict, table);
 }
@@ -174,14 +174,14 @@ void Foam::misfit::channel::readNumber(const dictionary& dict)
     {
         FatalIOErrorInFunction(dict)
             << "The channel " << name_ << " has a value, a number alone. It"
-            << " needs its unit and no file. Units of " << quantity_ << ":"
-            << keywords::listed(unitsOf(*findQuantity(quantity_))).c_str()
+            << " needs its unit and no file. Units of " << quantity() << ":"
+            << keywords::listed(unitsOf(*findQuantity(quantity()))).c_str()
             << exit(FatalIOError);
     }
     const scalar size =
         checkedUnit
         (
-            dict, dict.get<word>("unit"), quantity_,
+            dict, dict.get<word>("unit"), quantity(),
             "The value of the channel " + name_
         ).size;
     recorded_.x = scalarList(1, scalar(0));

@@ -279,7 +279,7 @@ void Foam::misfit::recordings::checkEnough
     label samples = 0;
     for (const channel& c : channels_)
     {
-        samples += c.use() == purpose::calibration ? c.size() : 0;
+        samples += c.use() == purpose::calibration ? c.samples().size : 0;
     }
     if (!samples)
     {

@@ -2,11 +2,11 @@
 // The pictures of a report, drawn by gnuplot.
 
 #include "report.H"
+#include "textFile.H"
 #include "units.H"
 
 #include "OSspecific.H"
 
-#include <cmath>
 #include <fstream>
 
 namespace
@@ -39,92 +39,27 @@ void writeSeries
 }
 
 
-//- A number alone: recorded with 2 sigma, base and what was found side by side
-std::string numberPlot
-(
-    const segment& s,
-    const label i,
-    const std::string& file,
-    const bool found
-)
-{
-    std::ostringstream os;
-    os  << "set title '" << s.name << " (" << s.quantity << ")'\n"
-        << "set xlabel ''; set xrange [-0.5:" << (found ? 2.5 : 1.5) << "]\n"
-        << "set xtics ('recorded' 0, 'base' 1, 'found' 2)\n"
-        << "set ylabel '" << unitOf(s.quantity) << "'\nplot '" << file
-        << ".dat' index " << i << " using (0):2:(2*$3) with yerrorbars"
-        << " pointtype 7 linecolor 'black',"
-        << " '' index " << i << " using (1):4 with points pointtype 9"
-        << " pointsize 2 linecolor 'blue'";
-    if (found)
-    {
-        os  << ", '' index " << i << " using (2):5 with points pointtype 9"
-            << " pointsize 2 linecolor 'red'";
-    }
-    os << '\n';
-    return os.str();
-}
-
-
-//- Distance of three to eight labels along an axis of that length: gnuplot's own overlap
-//  in three columns
-scalar labelStep(const scalar length)
-{
-    const scalar step = max(length, VSMALL)/4;
-    const scalar power = std::pow(10.0, std::floor(std::log10(step)));
-    const scalar first = step/power;
-    return power*(first < 1.5 ? 1 : first < 3.5 ? 2 : first < 7.5 ? 5 : 10);
-}
-
-
-//- A picture of the channels of a file, in columns
-std::string seriesPlot
+//- What etc/misfit/series.gp needs to know of the channels
+std::string seriesVariables
 (
     const stacked& data,
     const std::string& file,
     const bool found
 )
 {
-    const label n = data.segments.size();
-    const label columns = n < 2 ? 1 : n < 5 ? 2 : 3;
-    const label rows = (n + columns - 1)/columns;
     std::ostringstream os;
-    os  << "set terminal pngcairo size " << 1100 << ',' << 80 + 270*rows
-        << " noenhanced font ',11'\n"
-        << "set output '" << file << ".png'\n"
-        << "set multiplot layout " << rows << ',' << columns
-        << " title 'points: recorded; grey: uncertain (2 sigma); blue, dashed:"
-        << " calibrated base" << (found ? "; red: with what was found" : "")
-        << "'\n"
-        << "set style fill transparent solid 0.35 noborder; unset key\n";
-    for (label i = 0; i < n; ++i)
+    os  << "file = '" << file << "'; found = " << found << "; n = "
+        << data.segments.size()
+        << "\narray Title[n]; array Unit[n]; array Axis[n]; array Length[n]\n";
+    label i = 0;
+    for (const segment& s : data.segments)
     {
-        const segment& s = data.segments[i];
-        if (s.isNumber())
-        {
-            os << numberPlot(s, i, file, found);
-            continue;
-        }
-        os  << "set title '" << s.name << " (" << s.quantity << ")'\n"
-            << "set autoscale x; set xtics " << labelStep(s.duration())
-            << "; set xlabel '"
-            << (s.overTime ? "time [s]" : "distance [m]")
-            << "'\nset ylabel '" << unitOf(s.quantity) << "'\nplot '" << file
-            << ".dat' index " << i << " using 1:($2-2*$3):($2+2*$3) with"
-            << " filledcurves linecolor 'gray',"
-            << " '' index " << i << " using 1:2 with points pointtype 7"
-            << " pointsize 0.5 linecolor 'black',"
-            << " '' index " << i << " using 1:4 with lines linewidth 2"
-            << " dashtype 2 linecolor 'blue'";
-        if (found)
-        {
-            os  << ", '' index " << i << " using 1:5 with lines linewidth 2"
-                << " linecolor 'red'";
-        }
-        os << '\n';
+        ++i;
+        os  << "Title[" << i << "] = '" << s.name << " (" << s.quantity << ")'; Unit["
+            << i << "] = '" << unitOf(s.quantity) << "'; Axis[" << i << "] = '"
+            << (s.isNumber() ? "" : s.overTime ? "time [s]" : "distance [m]")
+            << "'; Length[" << i << "] = " << max(s.duration(), VSMALL) << '\n';
     }
-    os << "unset multiplot\n";
     return os.str();
 }
 
@@ -175,40 +110,6 @@ void writeMap
 }
 
 
-//- found: there is a second picture, with what was found
-std::string mapPlot
-(
-    const std::string& names,
-    const label rows,
-    const bool found
-)
-{
-    std::ostringstream os;
-    os  << "set terminal pngcairo size 1100," << 140 + 50*rows
-        << " noenhanced font ',11'\n"
-        << "set output 'map.png'\n"
-        << "set multiplot layout 1," << (found ? 2 : 1) << '\n'
-        << "set palette defined (-6 'blue', 0 'white', 6 'red')\n"
-        << "set cbrange [-6:6]; set cblabel 'recorded - simulated [sigma]'\n"
-        << "set ytics (" << names << "); set yrange [" << rows - 0.5
-        << ":-0.5]\n"
-        << "set xlabel 'time [s] or distance [m]'; unset key\n"
-        << "set style fill solid noborder\n";
-    for (const char* panel : {"4 calibrated base", "5 with what was found"})
-    {
-        if (panel[0] == '5' && !found)
-        {
-            break;
-        }
-        os  << "set title '" << panel + 2 << "'\n"
-            << "plot 'map.dat' using (0.5*($1+$2)):3:1:2:($3-0.42):($3+0.42):"
-            << panel[0] << " with boxxyerror linecolor palette\n";
-    }
-    os << "unset multiplot\n";
-    return os.str();
-}
-
-
 bool gnuplot(const fileName& folder, const std::string& name)
 {
     return
@@ -243,9 +144,14 @@ Foam::List<Foam::fileName> Foam::misfit::drawFigures
          && f.verdict != verdictKind::unknown
         );
     List<std::string> names;
-    const auto script = [&](const std::string& name, const std::string& text)
+    const auto script = [&]
+    (
+        const std::string& name, const std::string& variables, const word& file
+    )
     {
-        std::ofstream(folder/name + ".gp") << text;
+        const fileName drawn("$INTERDEMFOAM_DIR/etc/misfit/" + file);
+        std::ofstream(folder/name + ".gp")
+            << variables << contentOf(fileName(drawn).expand());
         names.append(name);
     };
 
@@ -254,10 +160,10 @@ Foam::List<Foam::fileName> Foam::misfit::drawFigures
         const heldOut& h = f.held[i];
         const std::string name("heldOut" + std::to_string(i + 1));
         writeSeries(folder/name + ".dat", h.data, h.sigma, h.before, h.after);
-        script(name, seriesPlot(h.data, name, found));
+        script(name, seriesVariables(h.data, name, found), "series.gp");
     }
     writeSeries(folder/"fitted.dat", f.data, f.sigma, f.before, f.after);
-    script("fitted", seriesPlot(f.data, "fitted", found));
+    script("fitted", seriesVariables(f.data, "fitted", found), "series.gp");
 
     label row = 0;
     std::ostringstream rows;
@@ -266,8 +172,7 @@ Foam::List<Foam::fileName> Foam::misfit::drawFigures
     {
         for (const segment& s : data.segments)
         {
-            rows << (row ? ", '" : "'") << s.name << mark << "' " << row;
-            ++row;
+            rows << "Name[" << ++row << "] = '" << s.name << mark << "'\n";
         }
     };
     writeMap(map, f.data, f.sigma, f.before, f.after, row);
@@ -284,7 +189,13 @@ Foam::List<Foam::fileName> Foam::misfit::drawFigures
         }
     }
     map.close();
-    script("map", mapPlot(rows.str(), row, found));
+    script
+    (
+        "map",
+        "found = " + std::to_string(found) + "; n = " + std::to_string(row)
+      + "\narray Name[n]\n" + rows.str(),
+        "map.gp"
+    );
 
     List<fileName> drawn;
     for (const std::string& name : names)

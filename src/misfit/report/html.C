@@ -30,6 +30,10 @@ std::string Foam::misfit::html::table
     const std::vector<row>& rows
 )
 {
+    if (rows.empty())
+    {
+        return "";
+    }
     std::string text("<table>\n<tr>");
     for (const std::string& cell : head)
     {

@@ -15,7 +15,6 @@ using namespace Foam;
 using namespace Foam::misfit;
 using namespace Foam::misfit::html;
 
-
 std::string where(const finding& f)
 {
     std::string text("<h2>Where and when they part</h2>\n");
@@ -168,11 +167,10 @@ std::string notAsked(const misfit::gate& g, const hypothesis& judged)
 
 std::string gates(const finding& f)
 {
-    std::vector<row> rows;
-    for (const misfit::gate& g : f.gates)
+    const auto rowOf = [&f](const misfit::gate& g)
     {
         const gateWords words(describe(g, f));
-        rows.push_back
+        return row
         ({
             gateNames[g.kind], words.asked, g.applies ? words.value : string(),
             g.applies ? words.bound : string(),
@@ -180,10 +178,10 @@ std::string gates(const finding& f)
           : g.passed ? "passed"
           : g.kind == gateKind::detection ? "no misfit beyond chance" : "failed"
         });
-    }
+    };
     return
         "<h2>Gates: what the answer had to pass</h2>\n"
-      + table({"gate", "asked", "value", "must be", ""}, rows);
+      + tableOf({"gate", "asked", "value", "must be", ""}, f.gates, rowOf);
 }
 
 
@@ -222,59 +220,57 @@ std::string freeCorrection(const correctionFound& c)
     {
         return "";
     }
-    std::string text
-    (
+    return
         "<h2>A free correction</h2>\n<p>No candidate explains what is missing, so"
         " a correction without a mechanism was fitted: " + escaped(describe(c))
       + " It gains " + shortNumber(c.gain) + " in score.</p>\n"
-    );
-    std::vector<row> rows;
-    for (const freeElement& p : c.elements)
-    {
-        rows.push_back
-        ({
-            describe(p.element, p.value),
-            shortNumber(p.value) + " +- " + shortNumber(2*p.deviation)
-        });
-    }
-    text += rows.empty() ? "" : table({"what it acts like", "value (95 %)"}, rows);
-    rows.clear();
-    for (const fittedLaw& l : c.laws)
-    {
-        if (rows.size() < 5)
-        {
-            rows.push_back({describe(l), shortNumber(l.lead)});
-        }
-    }
-    text +=
-        rows.empty() ? ""
-      : table({"laws in dimensionless numbers", "score ahead of it"}, rows);
-    rows.clear();
-    for (const heldOut& h : c.held)
-    {
-        rows.push_back
-        ({
-            describe(h) + " (" + channels(h) + ")", number(h.squareBefore),
-            number(h.squareAfter), percent(removed(h))
-        });
-    }
-    return
-        text
-      + (rows.empty() ? std::string()
-          : table({"not used to find it", "mean square before", "after", "gone"}, rows));
+      + tableOf
+        (
+            {"what it acts like", "value (95 %)"},
+            c.elements,
+            [](const freeElement& p)
+            {
+                return row
+                ({
+                    describe(p.element, p.value),
+                    shortNumber(p.value) + " +- " + shortNumber(2*p.deviation)
+                });
+            }
+        )
+      + tableOf
+        (
+            {"laws in dimensionless numbers", "score ahead of it"},
+            c.laws,
+            [](const fittedLaw& l) { return row({describe(l), shortNumber(l.lead)}); },
+            5
+        )
+      + tableOf
+        (
+            {"not used to find it", "mean square before", "after", "gone"},
+            c.held,
+            [](const heldOut& h)
+            {
+                return row
+                ({
+                    describe(h) + " (" + channels(h) + ")", number(h.squareBefore),
+                    number(h.squareAfter), percent(removed(h))
+                });
+            }
+        );
 }
 
 
 std::string dropped(const finding& f)
 {
-    std::vector<row> rows;
-    for (const droppedCandidate& d : f.dropped)
-    {
-        rows.push_back({d.name, describe(d)});
-    }
     return
-        rows.empty() ? std::string()
-      : "<h2>Not scored</h2>\n" + table({"candidate", "why"}, rows);
+        f.dropped.empty() ? std::string()
+      : "<h2>Not scored</h2>\n"
+      + tableOf
+        (
+            {"candidate", "why"},
+            f.dropped,
+            [](const droppedCandidate& d) { return row({d.name, describe(d)}); }
+        );
 }
 
 
@@ -283,14 +279,15 @@ std::string rest(const finding& f)
     std::string text;
     if (f.failedRuns.size())
     {
-        std::vector<row> rows;
-        for (const failedRun& run : f.failedRuns)
-        {
-            rows.push_back({describe(run)});
-        }
         text +=
             "<h2>Runs that failed</h2>\n<p>They are not in what is uncertain, or in"
-            " the effect of a parameter.</p>\n" + table({"run, and why"}, rows);
+            " the effect of a parameter.</p>\n"
+          + tableOf
+            (
+                {"run, and why"},
+                f.failedRuns,
+                [](const failedRun& run) { return row({describe(run)}); }
+            );
     }
     const string advice(adviceOf(f));
     if (advice.size())

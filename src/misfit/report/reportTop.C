@@ -243,24 +243,17 @@ std::string Foam::misfit::channels(const heldOut& h)
 
 std::string Foam::misfit::reportTop(const finding& f, const origin& from)
 {
-    std::vector<row> rows;
-    for (const stringList& experiment : from.experiments)
-    {
-        rows.push_back(row(experiment.begin(), experiment.end()));
-    }
     return
         header("Simulation against recordings: " + from.title)
       + (from.date.empty() ? std::string()
           : "<p>Written by misfitFoam on " + escaped(from.date) + ".</p>\n")
       + answer(f, from)
-      + (rows.empty() ? std::string()
-          : table
-            (
-                {
-                    "experiment", "calibration", "validation", "test", "recorded in"
-                },
-                rows
-            ))
+      + tableOf
+        (
+            {"experiment", "calibration", "validation", "test", "recorded in"},
+            from.experiments,
+            [](const stringList& cells) { return row(cells.begin(), cells.end()); }
+        )
       + "<p>Words are explained <a href=\"#words\">at the end</a>.</p>\n";
 }
 

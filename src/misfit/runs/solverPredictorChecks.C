@@ -114,7 +114,7 @@ Foam::scalar Foam::misfit::solverPredictor::needed(const channel& c)
 {
     return
         c.isRecorded() && c.overTime()
-      ? c.recorded().x.last() - 0.5*c.span()
+      ? c.recorded().x.last() - 0.5*c.samples().span
       : 0;
 }
 
@@ -168,11 +168,11 @@ Foam::string Foam::misfit::solverPredictor::partNotCovered
     const scalar lastStep = n > 1 ? s.x[n-1] - s.x[n-2] : 0;
     const scalar firstStep = n > 1 ? s.x[1] - s.x[0] : 0;
     const scalar firstSample =
-        c.overTime() && c.span() == 0 ? x[1] - x[0] : c.span();
+        c.overTime() && c.samples().span == 0 ? x[1] - x[0] : c.samples().span;
 
     const scalar late = x.first() + max(0.5*firstSample, firstStep);
     const scalar enough =
-        c.overTime() ? needed(c) : x.last() - max(0.5*c.span(), lastStep);
+        c.overTime() ? needed(c) : x.last() - max(0.5*c.samples().span, lastStep);
 
     const string whatToDo(", or give the channel an interval");
     if (s.x.first() > late)
