@@ -39,8 +39,6 @@ void Foam::materialPointMethod::addBodies
         law.remove("walls");
         law.remove("settling");
         law.remove("U");
-        law.remove("solidDensity");
-        law.remove("grainDiameter");
 
         bodies_.append(body.keyword());
         laws_.append(constitutiveLaw::New(law).ptr());

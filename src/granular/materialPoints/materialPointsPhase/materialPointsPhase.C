@@ -150,12 +150,10 @@ void Foam::materialPointsPhase::setCoarseGraining()
         const scalar point =
             cbrt(6/M_PI*volume*body.get<scalar>("density")/solidDensity_[i]);
 
-        if (!(grain > 0 && grain <= point))
+        if (!(grain > 0))
         {
             FatalIOErrorInFunction(body)
-                << "grainDiameter is " << grain << " m; it must lie above zero"
-                << " and up to that of the solid of a point, " << point << " m."
-                << nl << "    Take larger cells, or fewer points in each."
+                << "grainDiameter is " << grain << " m; it must be above zero."
                 << exit(FatalIOError);
         }
         if (ratio > 0 && mag(point/grain - ratio) > 1e-3*ratio)

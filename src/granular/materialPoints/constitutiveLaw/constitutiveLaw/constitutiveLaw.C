@@ -15,7 +15,10 @@ namespace Foam
 
 Foam::wordList Foam::constitutiveLaw::keywordsWith(const wordList& own)
 {
-    wordList all({"law", "density", "E", "nu"});
+    wordList all
+    (
+        {"law", "density", "E", "nu", "solidDensity", "grainDiameter"}
+    );
     all.append(own);
     return all;
 }

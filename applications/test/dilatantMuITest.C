@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Unit tests: mu(I) with dilation, on single points and slopes.
+
+#include "dilatantMuI.H"
+#include "saidDuring.H"
+#include "scalarField.H"
+#include "testNumber.H"
+#include "testPoints.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+
+namespace
+{
+
+dictionary settings(const string& text)
+{
+    return dictionary(IStringStream(text)());
+}
+
+
+//- phi_m 0.56; density is that of a solid fraction of 0.56
+const string grains
+(
+    "law dilatantMuI; density 1484; solidDensity 2650; grainDiameter 0.01;"
+    " E 1e6; nu 0.2; staticFriction 0.382; limitFriction 0.643; b 0.31;"
+    " maxSolidFraction 0.56; a 1.23; dilation 4.7;"
+);
+
+
+//- A point that shears at a rate of 10 1/s
+struct shearedPoint
+{
+    pointSet points;
+    scalarField dilation = scalarField(1, 0);
+    const scalar rate = 10;
+
+    explicit shearedPoint(const scalar phi, const scalar p = 0)
+    {
+        points.resize(1);
+        points.mass[0] = 1;
+        points.gradient[0] = tensor(0, 0, rate, 0, 0, 0, 0, 0, 0);
+        points.stress[0] = -p*symmTensor::I;
+        setFraction(phi);
+    }
+
+    void setFraction(const scalar phi)
+    {
+        points.volume[0] = points.mass[0]/(2650*phi);
+    }
+
+    scalar pressure() const
+    {
+        return -tr(points.stress[0])/3;
+    }
+
+    scalar rootJ2() const
+    {
+        return std::sqrt(0.5*magSqr(dev(points.stress[0])));
+    }
+};
+
+
+//- Velocity down a slope of an angle after a second, of a layer 0.2 m deep at
+//  rest, over that without friction
+scalar speedOnSlope(const scalar angle)
+{
+    pointBox box;
+    box.repeats = true;
+    box.length = 0.1;
+    box.height = 0.3;
+    box.h = 0.025;
+    box.base = 10;
+    boxOfPoints layer(box, onSlope(0), body(grains, "((0 0 0) (1 1 0.2))"));
+
+    layer.run(0.3, 20);
+    for (scalar a = 0; a < angle; a += 0.5)
+    {
+        layer.setGravity(onSlope(min(a, angle)));
+        layer.run(0.01, 20);
+    }
+    layer.setGravity(onSlope(angle));
+    layer.run(0.5);
+
+    scalar U = 0;
+    for (const vector& u : layer.points().U)
+    {
+        U += u.x()/layer.points().size();
+    }
+    return U/(9.81*std::sin(angle*M_PI/180)*0.5);
+}
+
+} // End anonymous namespace
+
+
+TEST(dilatantMuI, shearAtConstantVolumeFindsTheFrictionAndPressureOfItsRate)
+{
+    for (const string liquid : {"", "viscosity 1;"})
+    {
+        const scalar eta = liquid.empty() ? 0 : 1;
+        const dilatantMuI law(settings(grains + liquid));
+        shearedPoint one(0.5);
+
+        for (label n = 0; n < 2000; ++n)
+        {
+            law.update(one.points, 0, one.dilation, 1e-4);
+        }
+
+        // phi = phi_m/(1 + a I_m), solved for p and I_m
+        const scalar I = (0.56/0.5 - 1)/1.23;
+        const scalar p = (sqr(10*0.01)*2650 + 2*eta*10)/sqr(I);
+        const scalar mu =
+            0.382 + (0.643 - 0.382)/(1 + 0.31/I)
+          + 2.5*0.5*eta*10/p/(1.23*I);
+
+        // The stress turns by its elastic strain, which counts squared
+        const scalar turned = sqr(mu*p/law.shearModulus());
+        EXPECT_NEAR(one.pressure(), p, turned*p);
+        EXPECT_NEAR(one.rootJ2(), mu*p, turned*mu*p);
+    }
+}
+
+
+TEST(dilatantMuI, shearAtConstantPressureDilatesAsTheClosedForm)
+{
+    // Grains so small that phi_eq = phi_m: d phi/d gamma = -phi K_4 (phi - phi_m)
+    const dilatantMuI law
+    (
+        settings
+        (
+            "law dilatantMuI; density 1600; solidDensity 2650; E 1e8; nu 0.2;"
+            " grainDiameter 1e-9; staticFriction 0.382; limitFriction 0.643;"
+            " b 0.31; maxSolidFraction 0.56; a 1.23; dilation 4.7;"
+        )
+    );
+    const scalar dt = 1e-5;
+    const scalar c = (0.62 - 0.56)/0.62;
+    const auto exact = [&](const scalar shear)
+    {
+        return 0.56/(1 - c*std::exp(-4.7*0.56*shear));
+    };
+
+    // As much as follows by itself where the pressure is held: p is read, and
+    // the volume gives way until it is 1 kPa
+    shearedPoint one(0.62, 1000);
+    scalar phi = 0.62;
+    for (label n = 0; n < 20000; ++n)
+    {
+        const scalar excess = one.pressure() - 1000;
+        one.dilation[0] = excess/law.bulkModulus()/dt;
+        phi /= 1 + dt*one.dilation[0];
+        one.setFraction(phi);
+        law.update(one.points, 0, one.dilation, dt);
+    }
+
+    EXPECT_NEAR(phi, exact(2), 0.01*(0.62 - exact(2)));
+    EXPECT_LT(phi, 0.565);
+}
+
+
+TEST(dilatantMuI, theReturnIsConsistent)
+{
+    for (const string strength : {"printed", "withDilation"})
+    {
+        const dilatantMuI law
+        (
+            settings(grains + "viscosity 0.5; strength " + strength + ";")
+        );
+        const scalar K = law.bulkModulus();
+        const scalar G = law.shearModulus();
+        const scalar dt = 1e-4;
+
+        for (const scalar phi : {0.58, 0.561, 0.555, 0.5})
+        {
+            shearedPoint one(phi, 2000);
+
+            for (label n = 0; n < 200; ++n)
+            {
+                const scalar p = one.pressure();
+                symmTensor s(dev(one.points.stress[0]));
+                const tensor& L = one.points.gradient[0];
+                s += dt*(turning(L, s) + 2*G*dev(symm(L)));
+                const scalar trial = std::sqrt(0.5*magSqr(s));
+
+                law.update(one.points, 0, one.dilation, dt);
+                const scalar rate = (trial - one.rootJ2())/(G*dt);
+                const scalar now = one.pressure();
+                const scalar limit = law.strength(rate, now, phi);
+
+                ASSERT_GE(rate, -1e-9);
+                ASSERT_LE(one.rootJ2(), limit*(1 + 1e-6) + 1e-6);
+                if (rate < 1e-6)
+                {
+                    continue;
+                }
+
+                // On the surface of shear; and either dilated, or compacted to
+                // the pressure at which it is in equilibrium
+                ASSERT_NEAR(one.rootJ2(), limit, 1e-6*limit + 1e-6);
+                const scalar opened =
+                    p + K*dt*rate*law.dilatancy(rate, now, phi);
+                if (phi < 0.56 && now < opened*(1 - 1e-6))
+                {
+                    ASSERT_NEAR(now, law.largestPressure(rate, phi), 1e-5*now);
+                }
+                else
+                {
+                    ASSERT_NEAR(now, opened, 1e-6*opened);
+                }
+            }
+        }
+    }
+}
+
+
+TEST(dilatantMuI, tensionOpensItAndLooseMaterialAtRestIsFreeOfStress)
+{
+    const dilatantMuI law(settings(grains));
+
+    shearedPoint pulled(0.57, 10);
+    pulled.points.gradient[0] = tensor::I;
+    pulled.dilation[0] = 3;
+    law.update(pulled.points, 0, pulled.dilation, 1e-2);
+    EXPECT_EQ(mag(pulled.points.stress[0]), 0);
+
+    shearedPoint loose(0.5, 10);
+    loose.points.gradient[0] = Zero;
+    law.update(loose.points, 0, loose.dilation, 1e-4);
+    EXPECT_EQ(mag(loose.points.stress[0]), 0);
+}
+
+
+TEST(dilatantMuI, aSlopeStandsBelowItsStaticFrictionAndFlowsAbove)
+{
+    // atan 0.382 is 20.9 degrees
+    const scalar below = speedOnSlope(19.5);
+    const scalar above = speedOnSlope(23);
+    testNumber("speed at 19.5 degrees over that without friction", below);
+    testNumber("speed at 23 degrees over that without friction", above);
+
+    EXPECT_LT(below, 1e-3);
+    EXPECT_GT(above, 0.01);
+}
+
+
+TEST(dilatantMuI, whatIsWrongIsNamed)
+{
+    const auto said = [](const string& more)
+    {
+        return refusal([&]() { constitutiveLaw::New(settings(grains + more)); });
+    };
+
+    EXPECT_EQ(said(""), "nothing");
+    EXPECT_NE
+    (
+        said("limitFriction 0.3;").find("below staticFriction"),
+        std::string::npos
+    );
+    EXPECT_NE
+    (
+        said("maxSolidFraction 1;").find("maxSolidFraction is 1"),
+        std::string::npos
+    );
+    EXPECT_NE(said("strength both;").find("withDilation"), std::string::npos);
+    EXPECT_NE(said("frictionAngle 3;").find("frictionAngle"), std::string::npos);
+}

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Friction that depends on the rate of shear, and dilation towards the solid
+// fraction that belongs to it.
+
+#include "dilatantMuI.H"
+
+#include "addToRunTimeSelectionTable.H"
+#include "keywords.H"
+
+#include <boost/math/tools/toms748_solve.hpp>
+
+namespace Foam
+{
+    defineTypeNameAndDebug(dilatantMuI, 0);
+    addToRunTimeSelectionTable(constitutiveLaw, dilatantMuI, dictionary);
+}
+
+
+namespace
+{
+    using namespace Foam;
+
+    //- Where f, which is below zero at low and not below at high, is zero. The
+    //  bracket closes as that of bisection does, in fewer steps where f is smooth
+    template<class Function>
+    scalar rootBetween(const Function& f, const scalar low, const scalar high)
+    {
+        const scalar atLow = f(low);
+        const scalar atHigh = f(high);
+
+        if (atLow >= 0)
+        {
+            return low;
+        }
+        if (atHigh <= 0)
+        {
+            return high;
+        }
+
+        std::uintmax_t most = 60;
+        const auto bracket = boost::math::tools::toms748_solve
+        (
+            f,
+            low,
+            high,
+            atLow,
+            atHigh,
+            boost::math::tools::eps_tolerance<scalar>(40),
+            most
+        );
+        return 0.5*(bracket.first + bracket.second);
+    }
+}
+
+
+Foam::dilatantMuI::dilatantMuI(const dictionary& dict)
+:
+    constitutiveLaw(dict),
+    static_(positive(dict, "staticFriction")),
+    limit_(positive(dict, "limitFriction")),
+    b_(positive(dict, "b")),
+    maximum_(positive(dict, "maxSolidFraction")),
+    a_(positive(dict, "a")),
+    dilation_(dict.get<scalar>("dilation")),
+    diameter_(positive(dict, "grainDiameter")),
+    solidDensity_(positive(dict, "solidDensity")),
+    viscosity_(dict.getOrDefault<scalar>("viscosity", 0)),
+    withDilation_
+    (
+        keywords::choice
+        (
+            dict, "strength", "strength", {"printed", "withDilation"}, "printed"
+        ) == "withDilation"
+    )
+{
+    keywords::check
+    (
+        dict,
+        keywordsWith
+        ({
+            "staticFriction", "limitFriction", "b", "maxSolidFraction", "a",
+            "dilation", "viscosity", "strength"
+        })
+    );
+
+    if (limit_ < static_)
+    {
+        FatalIOErrorInFunction(dict)
+            << "limitFriction is " << limit_ << ", below staticFriction, "
+            << static_ << ": friction rises with the rate of shear."
+            << exit(FatalIOError);
+    }
+    if (!(maximum_ < 1 && dilation_ >= 0 && viscosity_ >= 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "maxSolidFraction is " << maximum_ << ", dilation " << dilation_
+            << " and viscosity " << viscosity_ << " Pa s; the first lies below"
+            << " one, the others not below zero." << exit(FatalIOError);
+    }
+}
+
+
+Foam::scalar Foam::dilatantMuI::mixedNumber
+(
+    const scalar rate,
+    const scalar p
+) const
+{
+    return sqrt
+    (
+        (sqr(rate*diameter_)*solidDensity_ + 2*viscosity_*rate)
+       /max(p, SMALL)
+    );
+}
+
+
+Foam::scalar Foam::dilatantMuI::dilatancy
+(
+    const scalar rate,
+    const scalar p,
+    const scalar phi
+) const
+{
+    const scalar equilibrium = maximum_/(1 + a_*mixedNumber(rate, p));
+    return dilation_*max(phi - equilibrium, scalar(0));
+}
+
+
+Foam::scalar Foam::dilatantMuI::strength
+(
+    const scalar rate,
+    const scalar p,
+    const scalar phi
+) const
+{
+    const scalar I = mixedNumber(rate, p);
+    scalar result = static_*p;
+
+    if (I > VSMALL)
+    {
+        result +=
+            (limit_ - static_)*I/(I + b_)*p + 2.5*phi*viscosity_*rate/(a_*I);
+    }
+
+    return withDilation_ ? result + dilatancy(rate, p, phi)*p : result;
+}
+
+
+Foam::scalar Foam::dilatantMuI::largestPressure
+(
+    const scalar rate,
+    const scalar phi
+) const
+{
+    return
+        sqr(a_*phi/max(maximum_ - phi, SMALL))
+       *(sqr(rate*diameter_)*solidDensity_ + 2*viscosity_*rate);
+}
+
+
+Foam::scalar Foam::dilatantMuI::shearRate
+(
+    const scalar trial,
+    const scalar p,
+    const scalar phi,
+    const scalar dt
+) const
+{
+    const scalar perStress = shearModulus()*dt;
+
+    return rootBetween
+    (
+        [&](const scalar rate)
+        {
+            return perStress*rate + strength(rate, p, phi) - trial;
+        },
+        scalar(0),
+        trial/perStress
+    );
+}
+
+
+Foam::dilatantMuI::state Foam::dilatantMuI::returned
+(
+    const state& trial,
+    const scalar phi,
+    const scalar dt
+) const
+{
+    const scalar K = bulkModulus();
+    const scalar G = shearModulus();
+    const auto rateAt = [&](const scalar p)
+    {
+        return shearRate(trial.rootJ2, p, phi, dt);
+    };
+
+    // No more than all shear being plastic, and beta the largest that there is
+    const scalar most =
+        max(trial.p, scalar(0)) + K*dilation_*phi*trial.rootJ2/G;
+
+    scalar p = rootBetween
+    (
+        [&](const scalar p)
+        {
+            const scalar rate = rateAt(p);
+            return p - trial.p - K*dt*rate*dilatancy(rate, p, phi);
+        },
+        scalar(0),
+        most
+    );
+
+    if (phi < maximum_ && p > largestPressure(rateAt(p), phi))
+    {
+        p = rootBetween
+        (
+            [&](const scalar p)
+            {
+                return p - largestPressure(rateAt(p), phi);
+            },
+            scalar(0),
+            p
+        );
+    }
+
+    return state{p, p > 0 ? trial.rootJ2 - G*dt*rateAt(p) : 0};
+}
+
+
+void Foam::dilatantMuI::update
+(
+    pointSet& points,
+    const label body,
+    const UList<scalar>& dilation,
+    const scalar dt
+) const
+{
+    const scalar K = bulkModulus();
+    const scalar G = shearModulus();
+
+    for (label i = 0; i < points.size(); ++i)
+    {
+        if (points.body[i] != body)
+        {
+            continue;
+        }
+
+        const tensor& L = points.gradient[i];
+        symmTensor& stress = points.stress[i];
+        const symmTensor rate(dev(symm(L)));
+        points.strain[i] += dt*sqrt(2.0/3.0*magSqr(rate));
+
+        symmTensor s(dev(stress));
+        s += dt*(turning(L, s) + 2*G*rate);
+        const state trial
+        {
+            -tr(stress)/3 - K*dt*dilation[i], sqrt(0.5*magSqr(s))
+        };
+        const scalar phi = points.mass[i]/points.volume[i]/solidDensity_;
+
+        const bool elastic =
+            phi >= maximum_
+         && trial.p >= 0
+         && trial.rootJ2 <= strength(0, trial.p, phi);
+
+        const state after(elastic ? trial : returned(trial, phi, dt));
+
+        stress = -after.p*symmTensor::I;
+        if (trial.rootJ2 > VSMALL)
+        {
+            stress += after.rootJ2/trial.rootJ2*s;
+        }
+    }
+}
