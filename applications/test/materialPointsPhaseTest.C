@@ -29,23 +29,25 @@ TEST(materialPointsPhase, pointsHaveTheMassOfTheBodyAndTheRadiusOfItsSolid)
 TEST(materialPointsPhase, aGrainDiameterIsTheCoarseGraining)
 {
     testMesh box(slice());
-    const auto withGrains = [&](const string& first, const string& second)
+    const auto withGrains =
+        [&](const string& first, const string& second, const string& top)
     {
         return points
         (
             box.mesh(),
             "box ((0 0 0) (0.2 1 0.2)); } " + first + " } clay { " + sand
-          + second + " region { box ((0.4 0 0) (0.5 1 0.2));"
+          + second + " region { box ((0.4 0 0) (0.5 1 0.2));",
+            "", top
         );
     };
 
-    auto phase = withGrains("grainDiameter 0.001;", "");
+    auto phase = withGrains("grainDiameter 0.001;", "", "");
     EXPECT_NEAR(phase->coarseGraining(), 2*phase->radius()[0]/0.001, 1e-9);
     EXPECT_EQ(points(box.mesh())->coarseGraining(), 1);
 
     const std::string none
     (
-        refusal([&]() { withGrains("grainDiameter 0;", ""); })
+        refusal([&]() { withGrains("grainDiameter 0;", "", ""); })
     );
     EXPECT_NE(none.find("grainDiameter is 0 m"), std::string::npos) << none;
 
@@ -53,10 +55,35 @@ TEST(materialPointsPhase, aGrainDiameterIsTheCoarseGraining)
     (
         refusal
         (
-            [&]() { withGrains("grainDiameter 0.001;", "grainDiameter 0.002;"); }
+            [&]()
+            {
+                withGrains("grainDiameter 0.001;", "grainDiameter 0.002;", "");
+            }
         )
     );
     EXPECT_NE(two.find("all bodies have one ratio"), std::string::npos) << two;
+
+    const std::string both
+    (
+        refusal
+        (
+            [&]()
+            {
+                withGrains("grainDiameter 0.001;", "", "coarseGraining 2;");
+            }
+        )
+    );
+    EXPECT_NE(both.find("Remove coarseGraining"), std::string::npos) << both;
+
+    // Without a fluid there is no drag that would need one ratio
+    EXPECT_EQ
+    (
+        withGrains
+        (
+            "grainDiameter 0.001;", "grainDiameter 0.002;", "fluid none;"
+        )->coarseGraining(),
+        1
+    );
 }
 
 

@@ -35,7 +35,7 @@ statistics::sampledModel::sampledModel
     averaged_(1),
     clockUncertainty_(clockUncertainty),
     bounds_(bounds),
-    covariance_(new covariance(data, clockUncertainty))
+    covariance_(new covariance(data_, clockUncertainty))
 {}
 
 

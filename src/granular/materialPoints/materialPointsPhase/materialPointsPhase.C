@@ -113,7 +113,12 @@ Foam::materialPointsPhase::materialPointsPhase
         }
         solidDensity_.append(solid);
     }
-    setCoarseGraining();
+
+    // Dry, a grainDiameter is of the law alone, and bodies may differ in it
+    if (dict.lookupOrDefault<word>("fluid", "volumeOfFluid") != "none")
+    {
+        setCoarseGraining(dict.found("coarseGraining"));
+    }
 
     timeStep_ = readTimeStep();
 
@@ -130,7 +135,7 @@ Foam::materialPointsPhase::materialPointsPhase
 }
 
 
-void Foam::materialPointsPhase::setCoarseGraining()
+void Foam::materialPointsPhase::setCoarseGraining(const bool given)
 {
     const label perCell = dict_.getOrDefault<label>("pointsPerCell", 2);
     const scalar volume =
@@ -163,7 +168,15 @@ void Foam::materialPointsPhase::setCoarseGraining()
                 << point/grain << " times as large as they are, and in another"
                 << " body " << ratio << " times: all bodies have one ratio."
                 << nl << "    Give each a grainDiameter of "
-                << point/ratio << " m, or coarseGraining in their place."
+                << point/ratio << " m."
+                << exit(FatalIOError);
+        }
+        if (given)
+        {
+            FatalIOErrorInFunction(body)
+                << "coarseGraining follows from grainDiameter: "
+                << point/grain << "." << nl
+                << "    Remove coarseGraining, or grainDiameter."
                 << exit(FatalIOError);
         }
         ratio = point/grain;
