@@ -205,19 +205,6 @@ void expectMomentumIsKept(const string& contact)
 }
 
 
-scalar furthest(const granularPhase& a, const granularPhase& b)
-{
-    scalar result = mag(a.size() - b.size());
-    for (label i = 0; i < min(a.size(), b.size()); ++i)
-    {
-        result = max(result, mag(a.position()[i] - b.position()[i]));
-        result = max(result, mag(a.velocity()[i] - b.velocity()[i]));
-        result = max(result, scalar(mag(a.id()[i] - b.id()[i])));
-    }
-    return returnReduce(result, maxOp<scalar>());
-}
-
-
 //- Stops amid the contact, goes on, and is where one is that never stopped
 void expectRestartIsExact()
 {

@@ -12,20 +12,6 @@ using namespace Foam;
 namespace
 {
 
-//- Nothing but what all ranks agree on: largest difference to the same point
-scalar furthest(const granularPhase& a, const granularPhase& b)
-{
-    scalar result = mag(a.size() - b.size());
-    for (label i = 0; i < min(a.size(), b.size()); ++i)
-    {
-        result = max(result, mag(a.position()[i] - b.position()[i]));
-        result = max(result, mag(a.velocity()[i] - b.velocity()[i]));
-        result = max(result, scalar(mag(a.id()[i] - b.id()[i])));
-    }
-    return returnReduce(result, maxOp<scalar>());
-}
-
-
 //- A second body on the first, in contact with it; the end of the settings of
 //  one closes its dictionary
 const string secondBody
