@@ -2,7 +2,6 @@
 // The pictures of a report, drawn by gnuplot.
 
 #include "report.H"
-#include "textFile.H"
 #include "units.H"
 
 #include "OSspecific.H"
@@ -149,9 +148,7 @@ Foam::List<Foam::fileName> Foam::misfit::drawFigures
         const std::string& name, const std::string& variables, const word& file
     )
     {
-        const fileName drawn("$INTERDEMFOAM_DIR/etc/misfit/" + file);
-        std::ofstream(folder/name + ".gp")
-            << variables << contentOf(fileName(drawn).expand());
+        std::ofstream(folder/name + ".gp") << variables << ofProject(file);
         names.append(name);
     };
 

@@ -190,6 +190,48 @@ string describeVerdict(const finding& f)
     }
 }
 
+//- What the confidence is the confidence of
+string whatIsSure(const finding& f)
+{
+    switch (f.verdict)
+    {
+        case verdictKind::none:
+            return
+                "that nothing missing and no fault is needed to explain the"
+                " recordings";
+        case verdictKind::sensor:
+        case verdictKind::registration:
+            return "that the fault is at " + inWords(f.names, "and");
+        case verdictKind::set:
+            return "that one of these is at least part of what is wrong";
+        case verdictKind::unknown:
+            return "that no candidate and no fault of one sensor explains it";
+        default:
+            return
+                f.correction.named ? "that what is missing follows this law"
+              : f.names.size() == 1
+              ? "that this is at least part of what is missing"
+              : "that these are at least part of what is missing";
+    }
+}
+
+
+//- What the number is from
+string sureFrom(const finding& f)
+{
+    if (f.grounds.size() == 0)
+    {
+        return
+            ", by its score alone: no case whose cause was known had such a law.";
+    }
+    const bool ofClock =
+        f.verdict != verdictKind::registration
+     || f.best().what.fault->kind == faultKind::clock;
+    return
+        ", the fraction of such verdicts that was right in cases whose cause was"
+        " known" + string(ofClock ? "." : ", in all of which it was the clock.");
+}
+
 } // End anonymous namespace
 
 
@@ -212,4 +254,10 @@ Foam::string Foam::misfit::describe(const finding& f)
         c.named ? "Left out, and in no candidate: " + describe(c)
       : describeVerdict(f) + whatCouldNotBeAsked(f)
       + (c.asked ? ' ' + describe(c) : string());
+}
+
+
+Foam::string Foam::misfit::sureThat(const finding& f)
+{
+    return whatIsSure(f) + sureFrom(f);
 }

@@ -1,49 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// verdict.json: the record of a diagnosis.
+// The record of a diagnosis.
 
+#include "record.H"
 #include "report.H"
 #include "words.H"
-#include "textFile.H"
 
 #include <cmath>
-#include <iomanip>
-#include <nlohmann/json.hpp>
-#include <sstream>
 
 namespace
 {
 
 using namespace Foam;
 using namespace Foam::misfit;
-using json = nlohmann::ordered_json;
 
 //- Of the record: grows with each change of what its keys are or mean
 constexpr label schema = 4;
-
-
-//- An array with what a function makes of each
-template<class Container, class Function>
-json each(const Container& things, const Function& written)
-{
-    json all = json::array();
-    for (const auto& thing : things)
-    {
-        all.push_back(written(thing));
-    }
-    return all;
-}
-
-
-json list(const wordList& names)
-{
-    return each(names, [](const word& name) { return json(name); });
-}
-
-
-json numbers(const vec& v)
-{
-    return each(v, [](const scalar value) { return json(value); });
-}
 
 
 //- What is at its bound has none
@@ -53,22 +24,17 @@ json deviation(const scalar value, const bool pinned)
 }
 
 
-json gates(const finding& f)
+json asked(const misfit::gate& g, const finding& f)
 {
-    json all = json::array();
-    for (const misfit::gate& g : f.gates)
+    const gateWords words(describe(g, f));
+    return
     {
-        const gateWords words(describe(g, f));
-        all.push_back
-        ({
-            {"name", gateNames[g.kind]},
-            {"asked", words.asked},
-            {"value", words.value},
-            {"bound", words.bound},
-            {"result", g.applies ? g.passed ? "passed" : "failed" : "none"}
-        });
-    }
-    return all;
+        {"name", gateNames[g.kind]},
+        {"asked", words.asked},
+        {"value", words.value},
+        {"bound", words.bound},
+        {"result", g.applies ? g.passed ? "passed" : "failed" : "none"}
+    };
 }
 
 
@@ -118,7 +84,7 @@ json fault(const finding& f)
     {
         {"channel", what.fault->channel},
         {"kind", kindOf(*what.fault)},
-        {"values", numbers(best.x.tail(n))},
+        {"values", vec(best.x.tail(n))},
         {"deviations", deviations}
     };
 }
@@ -136,24 +102,19 @@ json strength(const foundStrength& s)
 }
 
 
-json located(const finding& f)
+json located(const place& p, const stacked& data)
 {
-    json all = json::array();
-    for (const place& p : f.located)
+    const window& w = p.where;
+    const segment& s = data.segments[w.segment];
+    return
     {
-        const window& w = p.where;
-        const segment& s = f.data.segments[w.segment];
-        all.push_back
-        ({
-            {"channel", s.name},
-            {"from", s.x[w.begin] - 0.5*s.span},
-            {"to", s.x[w.end - 1] + 0.5*s.span},
-            {"sigma", w.size},
-            {"phase", phaseOf(s, f.data.y, w)},
-            {"words", describe(p, f.data)}
-        });
-    }
-    return all;
+        {"channel", s.name},
+        {"from", s.x[w.begin] - 0.5*s.span},
+        {"to", s.x[w.end - 1] + 0.5*s.span},
+        {"sigma", w.size},
+        {"phase", phaseOf(s, data.y, w)},
+        {"words", describe(p, data)}
+    };
 }
 
 
@@ -186,20 +147,15 @@ json law(const fittedLaw& l)
     return
     {
         {"family", l.law.family},
-        {"groups", list(l.law.groups)},
+        {"groups", l.law.groups},
         {"words", describe(l)},
         {"lead", l.lead}
     };
 }
 
 
-//- Null where it was not asked for
 json freeCorrection(const correctionFound& c)
 {
-    if (!c.asked)
-    {
-        return nullptr;
-    }
     return
     {
         {"words", describe(c)},
@@ -210,7 +166,7 @@ json freeCorrection(const correctionFound& c)
         {"transfers", c.transfers},
         {"named", c.named},
         {"chanceOfWhatIsLeft", c.left},
-        {"failed", list(c.failed)}
+        {"failed", c.failed}
     };
 }
 
@@ -234,14 +190,14 @@ json uncertainty(const finding& f)
 json posterior(const finding& f)
 {
     json all = json::array();
-    for (const auto& p : f.posterior)
+    for (const auto& [what, probability] : f.posterior)
     {
-        if (p.second > 1e-4)
+        if (probability > 1e-4)
         {
             all.push_back
             ({
-                {"explanation", describe(p.first, f.library)},
-                {"probability", p.second}
+                {"explanation", describe(what, f.library)},
+                {"probability", probability}
             });
         }
     }
@@ -261,24 +217,12 @@ json grounds(const finding& f)
 }
 
 
-json dropped(const droppedCandidate& d)
-{
-    return {{"name", d.name}, {"why", describe(d)}};
-}
-
-
-json failed(const failedRun& run)
-{
-    return describe(run);
-}
-
-
 json apart(const finding& f)
 {
     json all = json::object();
     forAll(f.candidates, i)
     {
-        all[f.candidates[i]] = numbers(f.apart.row(i).transpose());
+        all[f.candidates[i]] = vec(f.apart.row(i).transpose());
     }
     return all;
 }
@@ -286,53 +230,37 @@ json apart(const finding& f)
 } // End anonymous namespace
 
 
-std::string Foam::misfit::shortNumber(const scalar value)
+Foam::misfit::json
+Foam::misfit::recordOf(const finding& f, const string& title)
 {
-    std::ostringstream os;
-    os << std::setprecision(4) << value;
-    return os.str();
-}
-
-
-std::string Foam::misfit::verdictJson(const finding& f, const string& title)
-{
-    return json
-    ({
+    const auto why = [](const droppedCandidate& d) -> json
+    {
+        return {{"name", d.name}, {"why", describe(d)}};
+    };
+    return
+    {
         {"schema", schema},
         {"case", title},
         {"verdict", verdictNames[f.verdict]},
-        {"names", list(answerOf(f))},
+        {"names", answerOf(f)},
         {"words", describe(f)},
         {"confidence", std::round(1000*f.confidence)/1000},
         {"confidenceFrom", grounds(f)},
         {"strengths", each(f.strengths, &strength)},
         {"fault", fault(f)},
         {"detection", {{"pRaw", f.raw.p}, {"p", f.detection.p}}},
-        {"located", located(f)},
+        {"located", each(f.located, [&f](const place& p) { return located(p, f.data); })},
         {"calibration", parameters(f)},
         {"uncertainty", uncertainty(f)},
-        {"gates", gates(f)},
+        {"gates", each(f.gates, [&f](const misfit::gate& g) { return asked(g, f); })},
         {"heldOut", each(f.held, &match)},
-        {"freeCorrection", freeCorrection(f.correction)},
+        {"freeCorrection", f.correction.asked ? freeCorrection(f.correction) : json()},
         {"posterior", posterior(f)},
-        {"dropped", each(f.dropped, &dropped)},
-        {"failedRuns", each(f.failedRuns, &failed)},
-        {"correctedCase", f.answer.size() ? json(correctedCase) : json(nullptr)},
+        {"dropped", each(f.dropped, why)},
+        {"failedRuns", each(f.failedRuns, [](const auto& run) { return describe(run); })},
+        {"correctedCase", f.answer.size() ? json(correctedCase) : json()},
         {"apart", apart(f)},
         {"advice", adviceOf(f)},
         {"statesAskedFor", f.nRuns}
-    }).dump(2) + '\n';
-}
-
-
-void Foam::misfit::writeReport
-(
-    const finding& f,
-    const fileName& folder,
-    const origin& from
-)
-{
-    const List<fileName> figures(drawFigures(f, folder/"plots"));
-    writeWhole(folder/"report.html", reportHtml(f, from, figures));
-    writeWhole(folder/"verdict.json", verdictJson(f, from.title));
+    };
 }

@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// report.html: a diagnosis for a reader who has five minutes. The template
+// etc/misfit/report.html, filled with the record and what only a reader needs.
+
+#include "record.H"
+#include "report.H"
+#include "textFile.H"
+#include "words.H"
+
+#include "base64Layer.H"
+
+#include <kainjow/mustache.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+//- Of one above 1e5 only that it is
+string number(const scalar value)
+{
+    return
+        value > 1e5 ? "more than 100000"
+      : value < -1e5 ? "less than -100000" : shortNumber(value);
+}
+
+
+//- In whole percent; of more than ten times only that it is
+string percent(const scalar share)
+{
+    return
+        share > 10 ? "more than 1000 %"
+      : share < -10 ? "less than -1000 %"
+      : shortNumber(std::round(100*share)) + " %";
+}
+
+
+//- What the template asks for: numbers with four digits, and by "x?" whether a list x
+//  has anything. Text that is empty is as good as none
+kainjow::mustache::data filling(const json& from)
+{
+    using namespace kainjow::mustache;
+    if (from.is_object())
+    {
+        object all;
+        for (const auto& [key, value] : from.items())
+        {
+            all.emplace(key, filling(value));
+            if (value.is_array())
+            {
+                all.emplace(key + '?', !value.empty());
+            }
+        }
+        return all;
+    }
+    if (from.is_array())
+    {
+        list all;
+        std::transform(from.begin(), from.end(), std::back_inserter(all), &filling);
+        return all;
+    }
+    if (from.is_boolean() || from.is_null() || from == "")
+    {
+        return from == true;
+    }
+    return
+        from.is_string() ? from.get<std::string>()
+      : from.is_number_float() ? shortNumber(from) : from.dump();
+}
+
+
+//- True if the answer, or what explains best, has that candidate
+bool isMeant(const finding& f, const word& name)
+{
+    const auto has = [&](const scored& w)
+    {
+        return std::any_of
+        (
+            w.what.mechanisms.begin(), w.what.mechanisms.end(),
+            [&](const int m) { return f.library[m] == name; }
+        );
+    };
+    return
+        f.names.found(name) || has(f.best())
+     || std::any_of(f.alternatives.begin(), f.alternatives.end(), has);
+}
+
+
+//- What the finding does to the misfit of held-out data
+string outcome(const heldOut& h)
+{
+    // A mean square of 1 is chance
+    if (h.squareBefore < h.limitOfMatch)
+    {
+        return
+            h.squareAfter < h.limitOfMatch
+          ? "there was no misfit beyond chance: it neither confirms nor denies"
+          : "a misfit comes that was not there";
+    }
+    const scalar share = removed(h);
+    return
+        share > 0 ? percent(share) + " of the misfit is gone"
+      : "the misfit does not get smaller";
+}
+
+
+//- Of held-out data; isTold: what was found may show in them
+json held(const heldOut& h, const bool isTold)
+{
+    const auto name = [](const segment& s) { return s.name; };
+    return
+    {
+        {"data", describe(h) + " (" + joined(h.data.segments, " ", name) + ')'},
+        {"before", number(h.squareBefore)},
+        {"after", number(h.squareAfter)},
+        {"gone", percent(removed(h))},
+        {"outcome", outcome(h)},
+        {"isTold", isTold}
+    };
+}
+
+
+//- Adds how sure the answer is, and what stands beside it
+void addAnswer(json& page, const finding& f)
+{
+    page["sure"] = percent(f.confidence) + ' ' + sureThat(f);
+    page["notScored"] = joined(f.dropped, ", ", [](const droppedCandidate& d)
+    {
+        const string why(describe(d));
+        return d.name + " (" + why.substr(0, why.find(':')) + ')';
+    });
+    page["heldOut"] = each(f.held, [&f](const heldOut& h)
+    {
+        const bool isOfFault = f.blamesChannel() && h.squareAfter < h.squareBefore;
+        return held(h, f.strengths.size() || isOfFault);
+    });
+}
+
+
+//- The first of them, with what each is behind the best
+json scoredFirst(const finding& f)
+{
+    std::vector<scored> list(f.explained.all());
+    sortByScore(list);
+    const scalar best = list.front().score;
+    list.resize(std::min(list.size(), size_t(8)));
+
+    // The same fault may be there with several sizes
+    bool judged = false;
+    return each(list, [&](const scored& w) -> json
+    {
+        const string name(describe(w.what, f.library));
+        const bool isJudged = !judged && name == describe(f.best().what, f.library);
+        judged = judged || isJudged;
+        return
+        {
+            {"name", name},
+            {"isJudged", isJudged},
+            {"behind", number(w.score - best)},
+            {"probability", percent(w.probability)}
+        };
+    });
+}
+
+
+//- Why a gate was left out; empty if it was not
+string notAsked(const misfit::gate& g, const hypothesis& judged)
+{
+    return
+        g.applies ? ""
+      : judged.isOnlyUnknown() ? "not asked: nothing that is known is judged"
+      : g.kind == gateKind::adequacy && judged.unknown
+      ? "not asked: the answer has something unknown, which takes up what is left"
+      : "nothing to ask";
+}
+
+
+//- Adds to the gates of the record what came of them
+void addSaid(json& gates, const finding& f)
+{
+    auto j = gates.begin();
+    for (const misfit::gate& g : f.gates)
+    {
+        (*j)["why"] = notAsked(g, f.best().what);
+        (*j++)["said"] =
+            g.passed ? "passed"
+          : g.kind == gateKind::detection ? "no misfit beyond chance" : "failed";
+    }
+}
+
+
+json candidates(const finding& f, const origin& from)
+{
+    return each(from.candidates, [&](const candidate& c) -> json
+    {
+        const auto set = [](const caseChange& change) { return change.describe(1); };
+        const auto strength = std::find_if
+        (
+            f.strengths.begin(), f.strengths.end(),
+            [&](const foundStrength& s) { return s.name == c.name; }
+        );
+        return
+        {
+            {"name", c.name},
+            {"title", c.title},
+            {"isMeant", c.title != c.name && isMeant(f, c.name)},
+            {"sets", joined(c.changes, "; ", set)},
+            {"found", strength == f.strengths.end() ? json() : json(strength->value)}
+        };
+    });
+}
+
+
+//- How far each of the candidates is apart from each
+json distances(const finding& f)
+{
+    json all = json::array();
+    forAll(f.candidates, i)
+    {
+        all.push_back
+        ({
+            {"name", f.candidates[i]}, {"to", vec(f.apart.row(i).transpose())}
+        });
+    }
+    return all;
+}
+
+
+//- Of a channel: its standard deviation [unit], and those that it is made of
+json uncertain(const finding& f, const segment& s)
+{
+    json all = json::array({shortNumber(s.rootMeanSquare(f.sigma), 2)});
+    for (const uncertaintySource& source : f.sources)
+    {
+        all.push_back(shortNumber(s.rootMeanSquare(source.second), 2));
+    }
+    return {{"name", s.name + ' ' + unitOf(s.quantity)}, {"deviations", all}};
+}
+
+
+void keepFirst(const size_t most, json& list)
+{
+    list.erase(list.begin() + std::min(list.size(), most), list.end());
+}
+
+
+//- Adds to that of the record its intervals and held-out data; no more laws than read
+void addToCorrection(json& all, const correctionFound& c)
+{
+    for (json& e : all["elements"])
+    {
+        e["interval"] = 2*e["deviation"].get<scalar>();
+    }
+    keepFirst(5, all["laws"]);
+    all["held"] = each(c.held, [](const heldOut& h) { return held(h, true); });
+}
+
+
+//- What a picture shows, by the name of its file
+string caption(const finding& f, const std::string& name)
+{
+    if (name == "map")
+    {
+        return
+            "Each channel over time or distance: red where the recording is higher than the"
+            " simulation, blue where it is lower, in standard deviations.";
+    }
+    if (name == "fitted")
+    {
+        return "The channels that were fitted.";
+    }
+    const heldOut& h = f.held[std::stoi(name.substr(7)) - 1];
+    return
+        "Not used to find it: " + describe(h) + ". Mean square of the misfit "
+      + number(h.squareBefore)
+      + (h.squareBefore == h.squareAfter ? string()
+          : string(" before, " + number(h.squareAfter) + " after"))
+      + " (1: as good as it can be).";
+}
+
+
+json figure(const finding& f, const fileName& file)
+{
+    const string bytes(contentOf(file));
+    std::ostringstream os;
+    base64Layer encode(os);
+    encode.write(bytes.data(), bytes.size());
+    encode.close();
+    return {{"caption", caption(f, file.nameLessExt())}, {"bytes", os.str()}};
+}
+
+} // End anonymous namespace
+
+
+std::string Foam::misfit::reportHtml
+(
+    const finding& f,
+    const origin& from,
+    const List<fileName>& figures
+)
+{
+    json page(recordOf(f, from.title));
+    page["date"] = from.date;
+    page["experiments"] = from.experiments;
+    addAnswer(page, f);
+    page["candidates"] = candidates(f, from);
+    for (const fileName& file : figures)
+    {
+        page[file.nameLessExt() == "map" ? "map" : "series"].push_back(figure(f, file));
+    }
+
+    // Where mechanisms are named, what they change counts too
+    page["isOfCause"] = f.strengths.size() && !f.best().what.unknown;
+    keepFirst(5, page["located"]);
+    if (f.correction.asked)
+    {
+        addToCorrection(page["freeCorrection"], f.correction);
+    }
+    page["explanations"] = f.explained.all().size();
+    page["scored"] = scoredFirst(f);
+    addSaid(page["gates"], f);
+    page["distances"] = distances(f);
+    page["sources"] = each(f.sources, [](const auto& s) { return s.first; });
+    page["uncertain"] =
+        each(f.data.segments, [&f](const segment& s) { return uncertain(f, s); });
+
+    kainjow::mustache::mustache whole(ofProject("report.html"));
+    return whole.render(filling(page));
+}

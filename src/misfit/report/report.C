@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Writes what a diagnosis found.
+
+#include "report.H"
+#include "record.H"
+#include "textFile.H"
+#include "words.H"
+
+#include "clock.H"
+#include "HashSet.H"
+
+#include <iomanip>
+#include <sstream>
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+//- An experiment, its channels by their use, and the files they came from
+stringList experimentRow(const recordings& all, const word& name)
+{
+    stringList row(5);
+    row[0] = name;
+    const auto add = [](string& list, const string& one)
+    {
+        list += (list.empty() ? "" : ", ") + one;
+    };
+    wordHashSet files;
+    for (const channel& c : all.channels())
+    {
+        if (c.experiment() == name && c.isRecorded())
+        {
+            add(row[1 + label(c.use())], c.name());
+            const size_t end = c.source().rfind(':');
+            const fileName file
+            (
+                end == std::string::npos ? string() : c.source().substr(0, end)
+            );
+            if (file.size() && files.insert(file.name()))
+            {
+                add(row[4], file.name());
+            }
+        }
+    }
+    return row;
+}
+
+} // End anonymous namespace
+
+
+Foam::misfit::origin Foam::misfit::originOf
+(
+    const string& title,
+    const recordings& recorded,
+    const List<candidate>& candidates
+)
+{
+    origin from{title, clock::date(), {}, candidates};
+    for (const word& name : recorded.experiments())
+    {
+        from.experiments.append(experimentRow(recorded, name));
+    }
+    return from;
+}
+
+
+std::string Foam::misfit::shortNumber(const scalar value, const int digits)
+{
+    std::ostringstream os;
+    os << std::setprecision(digits) << value;
+    return os.str();
+}
+
+
+Foam::string Foam::misfit::ofProject(const word& file)
+{
+    const fileName whole(fileName("$INTERDEMFOAM_DIR/etc/misfit/" + file).expand());
+    const string text(contentOf(whole));
+    if (text.empty())
+    {
+        FatalErrorInFunction
+            << "Cannot read " << whole << ", which a report is made with. Restore it"
+            << " from the sources" << exit(FatalError);
+    }
+    return text;
+}
+
+
+std::string Foam::misfit::verdictJson(const finding& f, const string& title)
+{
+    return recordOf(f, title).dump(2) + '\n';
+}
+
+
+void Foam::misfit::writeReport
+(
+    const finding& f,
+    const fileName& folder,
+    const origin& from
+)
+{
+    const List<fileName> figures(drawFigures(f, folder/"plots"));
+    writeWhole(folder/"report.html", reportHtml(f, from, figures));
+    writeWhole(folder/"verdict.json", verdictJson(f, from.title));
+}
