@@ -92,11 +92,10 @@ Foam::misfit::drawing::drawing
 void Foam::misfit::drawing::add(concealedCase& c, const word& name)
 {
     c.mechanisms.append(name);
-    c.strengths.append
+    c.state.strengths.insert
     (
-        uniform(candidates_[name].weak, candidates_[name].strong)
+        name, uniform(candidates_[name].weak, candidates_[name].strong)
     );
-    c.state.strengths.insert(name, c.strengths.last());
 }
 
 

@@ -4,6 +4,7 @@
 #include "concealedSet.H"
 #include "diagnosis.H"
 #include "gaussianProcess.H"
+#include "record.H"
 #include "report.H"
 #include "textFile.H"
 #include "words.H"
@@ -11,23 +12,19 @@
 #include "IFstream.H"
 #include "OSspecific.H"
 
-#include <nlohmann/json.hpp>
-
 namespace
 {
 
 using namespace Foam;
 using namespace Foam::misfit;
-using json = nlohmann::ordered_json;
 
 //- The second rival: the calibrated base, and what a Gaussian process has learnt
 //  from what it leaves at the fitted channels
 json rival(const finding& f, const scalar clockUncertainty)
 {
-    json all = json::array();
     if (f.held.empty())
     {
-        return all;
+        return json::array();
     }
     const statistics::gaussianProcess learnt
     (
@@ -35,19 +32,18 @@ json rival(const finding& f, const scalar clockUncertainty)
         f.data.y - f.before,
         covariance(f.data, clockUncertainty).at(f.before)
     );
-    for (const heldOut& h : f.held)
+    return each(f.held, [&](const heldOut& h) -> json
     {
         const whitener white(covariance(h.data, clockUncertainty).at(h.before));
         const vec left = h.data.y - h.before;
         const scalar n = h.data.size();
-        all.push_back
-        ({
+        return
+        {
             {"what", describe(h)},
             {"meanSquareBefore", white(left).squaredNorm()/n},
             {"meanSquareAfter", white(vec(left - learnt(h.data))).squaredNorm()/n}
-        });
-    }
-    return all;
+        };
+    });
 }
 
 
@@ -67,22 +63,14 @@ runState stateOf(const finding& f, const settings& set, const bool with)
 //- What the named mechanisms change at the fitted channels
 json effect(const finding& f, const settings& set, sampler& ask)
 {
-    json list = json::array();
-    if (f.verdict == verdictKind::named)
+    if (f.verdict != verdictKind::named)
     {
-        const List<samples> two
-        (
-            ask({stateOf(f, set, true), stateOf(f, set, false)})
-        );
-        if (two[0].ok() && two[1].ok())
-        {
-            for (const scalar d : vec(two[0].calibration - two[1].calibration))
-            {
-                list.push_back(d);
-            }
-        }
+        return json::array();
     }
-    return list;
+    const List<samples> two(ask({stateOf(f, set, true), stateOf(f, set, false)}));
+    return
+        two[0].ok() && two[1].ok()
+      ? json(vec(two[0].calibration - two[1].calibration)) : json::array();
 }
 
 } // End anonymous namespace

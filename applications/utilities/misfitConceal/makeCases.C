@@ -3,21 +3,20 @@
 
 #include "concealedCase.H"
 #include "concealedSet.H"
+#include "record.H"
 #include "report.H"
 #include "textFile.H"
 
 #include "OSspecific.H"
 
+#include <algorithm>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 namespace
 {
 
 using namespace Foam;
 using namespace Foam::misfit;
-using json = nlohmann::ordered_json;
-
 void writeCsv(const fileName& file, const series& s, const word& quantity)
 {
     std::ofstream os(file);
@@ -28,17 +27,6 @@ void writeCsv(const fileName& file, const series& s, const word& quantity)
     {
         os << s.x[i] << ',' << s.y[i] << '\n';
     }
-}
-
-
-json numbers(const scalarList& list)
-{
-    json all = json::array();
-    for (const scalar x : list)
-    {
-        all.push_back(x);
-    }
-    return all;
 }
 
 
@@ -65,7 +53,7 @@ json effect
             {
                 s.y[k] -= b.y[k];
             }
-            changes[ch.name()] = {{"t", numbers(s.x)}, {"change", numbers(s.y)}};
+            changes[ch.name()] = {{"t", s.x}, {"change", s.y}};
         }
     }
     return changes;
@@ -74,25 +62,22 @@ json effect
 
 json keyOf(const concealedCase& c, const word& name)
 {
-    json k = {{"case", name}, {"kind", c.kind}, {"noise", c.level}};
-    k["mechanisms"] = json::array();
-    forAll(c.mechanisms, i)
-    {
-        k["mechanisms"].push_back
-        ({
-            {"name", c.mechanisms[i]}, {"strength", c.strengths[i]}
-        });
-    }
-    k["parameters"] = json::object();
+    json parameters = json::object();
     for (const word& p : c.state.parameters.sortedToc())
     {
-        k["parameters"][p] = c.state.parameters[p];
+        parameters[p] = c.state.parameters[p];
     }
-    k["startOff"] = c.jitter;
-    k["faulty"] = c.faulty;
-    k["fault"] = c.fault;
-    k["faultSize"] = c.faultSize;
-    return k;
+    const auto mechanism = [&c](const word& m) -> json
+    {
+        return {{"name", m}, {"strength", c.state.strengths[m]}};
+    };
+    return
+    {
+        {"case", name}, {"kind", c.kind}, {"noise", c.level},
+        {"mechanisms", each(c.mechanisms, mechanism)}, {"parameters", parameters},
+        {"startOff", c.jitter}, {"faulty", c.faulty}, {"fault", c.fault},
+        {"faultSize", c.faultSize}
+    };
 }
 
 
@@ -193,15 +178,14 @@ void Foam::misfit::makeCases
         std::string number(std::to_string(i + 1));
         number.insert(0, 4 - min(label(number.size()), label(4)), '0');
         const UList<prediction> mine(SubList<prediction>(given, each, i*each));
-        string failure;
-        for (const prediction& p : mine)
-        {
-            failure = failure.empty() ? p.failure : failure;
-        }
-        if (failure.size())
+        const auto failed = std::find_if
+        (
+            mine.begin(), mine.end(), [](const prediction& p) { return !p.ok(); }
+        );
+        if (failed != mine.end())
         {
             Info<< "    No case " << number << ": a run of its truth failed: "
-                << failure.c_str() << endl;
+                << failed->failure.c_str() << endl;
             continue;
         }
 

@@ -5,6 +5,7 @@
 #include "report.H"
 #include "textFile.H"
 #include "scores.H"
+#include "words.H"
 
 #include "OSspecific.H"
 
@@ -29,38 +30,28 @@ json readJson(const fileName& file)
 }
 
 
-std::string joined(const std::vector<std::string>& list)
-{
-    std::string text;
-    for (const std::string& s : list)
-    {
-        text += (text.empty() ? "" : "+") + s;
-    }
-    return text;
-}
-
-
 //- A line of cases.csv
 std::string row(const openedCase& c)
 {
     // No table of confidences is for a verdict without grounds: its cells are empty
-    std::string grounds;
-    for (const word& name : groundNames)
+    const json& from = c.verdict["confidenceFrom"];
+    const std::string grounds(joined(groundNames, ",", [&](const word& name)
     {
-        const json& from = c.verdict["confidenceFrom"];
-        grounds +=
-            ',' + (from.is_null() ? std::string() : shortNumber(from[name]));
-    }
-    const std::string faulty = c.key["faulty"];
+        return from.is_null() ? std::string() : shortNumber(from[name]);
+    }));
+    const auto all = [](const std::vector<std::string>& names)
+    {
+        return joined(names, "+", [](const std::string& name) { return name; });
+    };
     const std::string fault = c.key["fault"];
+    const auto overlap = c.overlap();
     return
-        c.key["case"].get<std::string>() + ',' + c.kind() + ','
-      + joined(c.truth()) + (faulty.empty() ? "" : fault + ' ' + faulty) + ','
+        c.key["case"].get<std::string>() + ',' + c.kind() + ',' + all(c.truth())
+      + (c.faulty().empty() ? "" : fault + ' ' + c.faulty()) + ','
       + shortNumber(c.effect.noiseSNR) + ',' + shortNumber(c.effect.SNR) + ','
-      + c.said() + ',' + joined(c.names()) + ','
-      + shortNumber(c.verdict["confidence"]) + ','
-      + (c.overlap() < 0 ? "" : shortNumber(c.overlap())) + ','
-      + (c.isRight() ? '1' : '0') + grounds + '\n';
+      + c.said() + ',' + all(c.names()) + ',' + shortNumber(c.confidence()) + ','
+      + (overlap ? shortNumber(*overlap) : "") + ',' + (c.isRight() ? '1' : '0')
+      + ',' + grounds + '\n';
 }
 
 } // End anonymous namespace
@@ -73,17 +64,13 @@ void Foam::misfit::scoreCases
     const fileName& keyFile
 )
 {
-    scores all;
+    std::vector<openedCase> cases;
     std::map<std::string, std::unique_ptr<detectability>> byNoise;
     std::string table
     (
-        "case,kind,truth,snrNoise,snr,verdict,names,confidence,overlap,right"
+        "case,kind,truth,snrNoise,snr,verdict,names,confidence,overlap,right,"
+      + joined(groundNames, ",", [](const word& name) { return name; }) + '\n'
     );
-    for (const word& name : groundNames)
-    {
-        table += ',' + name;
-    }
-    table += '\n';
     label open = 0;
     const json opened(readJson(keyFile));
     for (const json& key : opened.at("cases"))
@@ -113,15 +100,16 @@ void Foam::misfit::scoreCases
                 Eigen::Map<const vec>(change.data(), change.size())
             );
         }
-        all.add(c);
+        cases.push_back(c);
         table += row(c);
     }
     if (open)
     {
         Info<< open << " cases have no verdict yet" << endl;
     }
+    const std::string scores(scoresOf(cases));
     writeWhole(folder/"cases.csv", table);
-    writeWhole(folder/"score.csv", all.rows());
-    writeWhole(folder/"reliability.csv", all.confidence().rows());
-    Info<< all.rows().c_str() << endl;
+    writeWhole(folder/"score.csv", scores);
+    writeWhole(folder/"reliability.csv", reliabilityOf(cases));
+    Info<< scores.c_str() << endl;
 }
