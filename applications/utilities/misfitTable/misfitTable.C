@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the column of a published table whose numbers stand at the wrong rows.
 
-#include "tableFiles.H"
-#include "tableWords.H"
+#include "tableReport.H"
+#include "textFile.H"
 
 #include "argList.H"
 #include "IFstream.H"
 #include "fpeGuard.H"
 #include "serialTool.H"
 
-#include <fstream>
 #include <stdexcept>
 
 using namespace Foam;
@@ -18,17 +17,9 @@ using namespace Foam::misfit;
 namespace
 {
 
-//- Fatal if it cannot be written
-template<class Write>
-void writeFile(const fileName& file, const Write& write)
+void write(const fileName& file, const std::string& text)
 {
-    std::ofstream os(file);
-    write(os);
-    os.close();
-    if (!os)
-    {
-        FatalErrorInFunction << "Cannot write " << file << exit(FatalError);
-    }
+    writeWhole(file, text);
     Info<< "Written: " << file << nl;
 }
 
@@ -39,30 +30,19 @@ void run(const dictionary& dict)
     Info<< report(check).c_str();
 
     const fileName stem(check.file().nameLessExt());
-    writeFile
-    (
-        stem + ".verdict.json",
-        [&](std::ostream& os) { writeJson(check, os); }
-    );
-    writeFile
-    (
-        stem + ".tried.csv",
-        [&](std::ostream& os) { writeTried(check, os); }
-    );
+    write(stem + ".verdict.json", tableJson(check));
+    write(stem + ".tried.csv", triedTable(check));
     if
     (
-        check.verdict() == tableVerdict::registration
+        check.verdict() == verdictKind::registration
      && check.best().size() == 1
      && check.columnIsMoved(check.tried().front())
     )
     {
-        writeFile
+        write
         (
             stem + ".corrected.csv",
-            [&](std::ostream& os)
-            {
-                writeCorrected(check, check.tried().front(), os);
-            }
+            correctedTable(check, check.tried().front())
         );
     }
 }

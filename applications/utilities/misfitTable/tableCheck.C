@@ -17,18 +17,6 @@ namespace Foam::misfit
 namespace
 {
 
-// Of the columns of an identity
-wordList namesOf(const statistics::identity& law)
-{
-    wordList result;
-    for (const std::string& name : law.columns())
-    {
-        result.append(word(name));
-    }
-    return result;
-}
-
-
 statistics::identity readIdentity(const dictionary& dict)
 {
     keywords::check(dict, {"quantity", "formula"});
@@ -150,7 +138,7 @@ tableCheck::tableCheck(const dictionary& dict)
 
 wordList tableCheck::columns() const
 {
-    return namesOf(law_);
+    return wordList(law_.columns().begin(), law_.columns().end());
 }
 
 
@@ -169,13 +157,13 @@ std::vector<columnFault> tableCheck::best() const
 }
 
 
-tableVerdict tableCheck::verdict() const
+verdictKind tableCheck::verdict() const
 {
     if (printed_.match.exact == factorial_.nRows())
     {
-        return tableVerdict::none;
+        return verdictKind::none;
     }
-    return likely_ ? tableVerdict::registration : tableVerdict::unknown;
+    return likely_ ? verdictKind::registration : verdictKind::unknown;
 }
 
 
