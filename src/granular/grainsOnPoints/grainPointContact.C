@@ -47,12 +47,18 @@ namespace
 Foam::grainPointContact::grainPointContact
 (
     const dictionary& dict,
-    const scalar radius
+    const scalar distance,
+    const label nDims
 )
 :
     stiffness_(positive(dict, "stiffness", dict.get<scalar>("stiffness"))),
     friction_(dict.getOrDefault<scalar>("friction", 0)),
-    radius_(positive(dict, "radius", dict.getOrDefault("radius", radius))),
+    radius_
+    (
+        positive(dict, "radius", dict.getOrDefault("radius", 0.5*distance))
+    ),
+    // Midway between two points in a plane, amid four of a square in space
+    opening_(0.5*distance*sqrt(scalar(nDims - 1)) - radius_),
     begin_(0)
 {
     keywords::check(dict, {"stiffness", "friction", "radius"});
@@ -163,6 +169,38 @@ void Foam::grainPointContact::collect
 }
 
 
+void Foam::grainPointContact::check
+(
+    const label grain,
+    const label i,
+    const pointSet& points
+) const
+{
+    const SubList<scalar> bead(grains_, ALL, ALL*grain);
+    const scalar r = bead[RADIUS];
+    const scalar mass = bead[MASS];
+
+    if (r > opening_ && mass >= points.mass[i])
+    {
+        return;
+    }
+
+    const char* why =
+        r > opening_
+      ? "What is lighter than a point springs back from it, and the time step,"
+        " made for points, may be too long for it."
+      : "Grains so small slip between points as these lie at the start.";
+
+    FatalErrorInFunction
+        << "The grain of " << mass << " kg and radius " << r << " m at "
+        << at(bead, PLACE) << " m touches the point " << points.id[i] << " of "
+        << points.mass[i] << " kg." << nl
+        << "    " << why << nl
+        << "    Lower materialPoints/cellSize or raise pointsPerCell, so that"
+        << " points are finer, or take coarser grains." << exit(FatalError);
+}
+
+
 void Foam::grainPointContact::push
 (
     const label grain,
@@ -173,6 +211,8 @@ void Foam::grainPointContact::push
     const scalar step
 )
 {
+    check(grain, i, points);
+
     const SubList<scalar> bead(grains_, ALL, ALL*grain);
     SubList<scalar> given(given_, GIVEN, GIVEN*grain);
     const scalar r = bead[RADIUS];
@@ -198,7 +238,8 @@ void Foam::grainPointContact::push
     );
     sliding -= (sliding & n)*n;
 
-    const scalar mass = bead[MASS]*points.mass[i]/(bead[MASS] + points.mass[i]);
+    // What a force at the surface meets: a sphere gives way by its spin as well
+    const scalar mass = 1/(3.5/bead[MASS] + 1/points.mass[i]);
     const scalar speed = mag(sliding);
     const scalar tangential = min(friction_*normal, mass*speed/step);
     const vector friction(-tangential/max(speed, VSMALL)*sliding);

@@ -132,7 +132,12 @@ Foam::grainsOnPoints::grainsOnPoints
         stepsPerExchange,
         stateOfPoints
     ),
-    contact_(keywords::sub(dict_, "contact"), pointRadius()),
+    contact_
+    (
+        keywords::sub(dict_, "contact"),
+        pointDistance(),
+        points_.method().grid().nDims()
+    ),
     pointSteps_(readPointSteps()),
     done_(0),
     waiting_(0)
@@ -145,10 +150,10 @@ Foam::grainsOnPoints::grainsOnPoints
 }
 
 
-Foam::scalar Foam::grainsOnPoints::pointRadius() const
+Foam::scalar Foam::grainsOnPoints::pointDistance() const
 {
     return
-        0.5*points_.method().grid().h()
+        points_.method().grid().h()
        /keywords::sub(dict_, "materialPoints")
             .getOrDefault<label>("pointsPerCell", 2);
 }
