@@ -4,6 +4,8 @@
 #include "words.H"
 #include "StringStream.H"
 
+#include <algorithm>
+
 namespace
 {
 
@@ -21,25 +23,22 @@ bool wasTried(const finding& f)
 
 string alternatives(const finding& f)
 {
-    bool mixed = false;
-    for (const scored& w : f.alternatives)
+    const auto isMixed = [](const scored& w)
     {
-        mixed =
-            mixed || w.what.mechanisms.size() > 1
+        return
+            w.what.mechanisms.size() > 1
          || (w.what.unknown && w.what.mechanisms.size());
-    }
-    if (!mixed)
+    };
+    if (std::none_of(f.alternatives.begin(), f.alternatives.end(), isMixed))
     {
         return inWords(answerOf(f), "or");
     }
-    string words;
-    for (const scored& w : f.alternatives)
+    return joined(f.alternatives, ", or ", [&f](const scored& w)
     {
-        words +=
-            (words.empty() ? "" : ", or ") + describe(w.what, f.library)
+        return
+            describe(w.what, f.library)
           + (w.what.mechanisms.size() > 1 ? " together" : "");
-    }
-    return words;
+    });
 }
 
 
@@ -69,30 +68,24 @@ string whatMayBeAdded(const finding& f)
 //- True if both of a set at once are as good as one of them
 bool mayBeTogether(const finding& f)
 {
-    std::vector<int> both;
-    for (const scored& w : f.alternatives)
+    const auto hasOne = [](const scored& w) { return w.what.mechanisms.size() == 1; };
+    const auto hasBoth = [&f](const scored& w)
     {
-        if (w.what.mechanisms.size() == 1)
+        const auto has = [&w](const scored& one)
         {
-            both.push_back(w.what.mechanisms.front());
-        }
-    }
-    if (f.alternatives.size() != 2 || both.size() != 2)
-    {
-        return false;
-    }
-    for (const scored& w : f.rivals)
-    {
-        const auto has = [&w](const int m)
-        {
-            return statistics::contains(w.what.mechanisms, m);
+            return statistics::contains
+            (
+                w.what.mechanisms, one.what.mechanisms.front()
+            );
         };
-        if (has(both[0]) && has(both[1]) && w.what.mechanisms.size() == 2)
-        {
-            return true;
-        }
-    }
-    return false;
+        return
+            w.what.mechanisms.size() == 2
+         && std::all_of(f.alternatives.begin(), f.alternatives.end(), has);
+    };
+    return
+        f.alternatives.size() == 2
+     && std::all_of(f.alternatives.begin(), f.alternatives.end(), hasOne)
+     && std::any_of(f.rivals.begin(), f.rivals.end(), hasBoth);
 }
 
 

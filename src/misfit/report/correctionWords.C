@@ -2,6 +2,7 @@
 // A finding in words: the free correction and its laws.
 
 #include "words.H"
+#include "report.H"
 
 #include <cmath>
 
@@ -23,7 +24,7 @@ const stringList pushWords
 
 string withDeviation(const scalar value, const scalar deviation)
 {
-    return threeDigits(value) + " +- " + threeDigits(2*deviation);
+    return shortNumber(value, 3) + " +- " + shortNumber(2*deviation, 3);
 }
 
 
@@ -41,7 +42,7 @@ string ofDrag(const fittedLaw& l)
             f == 0 ? withDeviation(std::exp(c), std::exp(c)*d)
           : string
             (
-                '(' + groups[f] + '/' + threeDigits(l.law.middle[i]) + ")^("
+                '(' + groups[f] + '/' + shortNumber(l.law.middle[i], 3) + ")^("
               + withDeviation(c, d) + ')'
             );
     }

@@ -2,6 +2,7 @@
 // A finding in words: what was asked at the gates.
 
 #include "words.H"
+#include "report.H"
 
 namespace
 {
@@ -11,13 +12,13 @@ using namespace Foam::misfit;
 
 string atLeast(const gate& g)
 {
-    return "at least " + threeDigits(g.limit);
+    return "at least " + shortNumber(g.limit, 3);
 }
 
 
 string below(const gate& g)
 {
-    return "below " + threeDigits(g.limit);
+    return "below " + shortNumber(g.limit, 3);
 }
 
 
@@ -79,21 +80,21 @@ string question(const gate& g, const finding& f)
         case gateKind::transfer:
             return
                 "Mean square of the misfit at " + describe(f.tested[g.held])
-              + " (was " + threeDigits(f.tested[g.held].squareBefore)
+              + " (was " + shortNumber(f.tested[g.held].squareBefore, 3)
               + "), which was not used to find it";
         case gateKind::degradesHeldOut:
             return
                 "Chance that " + describe(f.tested[g.held])
               + " are matched so much worse (mean square "
-              + threeDigits(f.tested[g.held].squareBefore) + " before, "
-              + threeDigits(f.tested[g.held].squareAfter)
+              + shortNumber(f.tested[g.held].squareBefore, 3) + " before, "
+              + shortNumber(f.tested[g.held].squareAfter, 3)
               + " after) if the best explanation is right";
         case gateKind::alone:
             return
                 "Score that what is named gains with nothing unknown beside it";
         default:
             return
-                "Score that the best explanation gains, " + threeDigits(g.gained)
+                "Score that the best explanation gains, " + shortNumber(g.gained, 3)
               + ": what it still gains where the misfit has the wrong sign"
               + (g.moved ? " or is moved in time" : "");
     }
@@ -114,5 +115,5 @@ Foam::misfit::describe(const gate& g, const finding& f)
     const bool less =
         g.kind == gateKind::detection || g.kind == gateKind::heldOut
      || g.kind == gateKind::transfer || g.kind == gateKind::placebo;
-    return {question(g, f), threeDigits(g.value), less ? below(g) : atLeast(g)};
+    return {question(g, f), shortNumber(g.value, 3), less ? below(g) : atLeast(g)};
 }

@@ -2,6 +2,7 @@
 // A finding in words: its parts.
 
 #include "words.H"
+#include "report.H"
 #include "StringStream.H"
 #include "units.H"
 
@@ -85,15 +86,6 @@ Foam::string Foam::misfit::inWords(const wordList& list, const string& last)
           + list[i];
     }
     return words;
-}
-
-
-Foam::string Foam::misfit::threeDigits(const scalar value)
-{
-    OStringStream os;
-    os.precision(3);
-    os << value;
-    return os.str();
 }
 
 
@@ -202,16 +194,9 @@ Foam::string Foam::misfit::describe(const place& p, const stacked& data)
         os << ", " << s.x[w.begin] - 0.5*s.span << " to "
             << s.x[w.end - 1] + 0.5*s.span << (s.overTime ? " s" : " m");
     }
-    os << ": the simulation is ";
-    if (share > 1000)
-    {
-        os << "more than 1000";
-    }
-    else
-    {
-        os << share;
-    }
-    os << (s.isNumber() ? " % too " : " % of the range too ")
+    os << ": the simulation is "
+        << (share > 1000 ? "more than 1000" : shortNumber(share, 3).c_str())
+        << (s.isNumber() ? " % too " : " % of the range too ")
         << (p.mean > 0 ? "low" : "high") << " (" << mag(w.size) << " sigma)";
     if (!s.isNumber())
     {
@@ -289,18 +274,9 @@ Foam::string Foam::misfit::adviceOf(const finding& f)
                 " channels without a file, and its use is computed here";
         case advice::kind::check:
         {
-            wordList channels;
-            for (const winner& w : f.winners)
-            {
-                channels.append(w.channel);
-            }
-            string list;
-            for (const word& c : channels)
-            {
-                list += (list.empty() ? "" : " and ") + c;
-            }
+            const auto channel = [](const winner& w) { return w.channel; };
             return
-                "The answer hangs on " + list
+                "The answer hangs on " + joined(f.winners, " and ", channel)
               + ": check what was recorded there, or measure it a second time";
         }
         default:
