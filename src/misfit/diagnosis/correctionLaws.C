@@ -1,137 +1,131 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // All elements of a free correction following dimensionless numbers.
 
-#include "correctionFitter.H"
+#include "correcting.H"
 
 #include <algorithm>
 #include <cmath>
 
-void Foam::misfit::correctionFitter::addLaw
-(
-    const dimensionlessLaw& law,
-    const correctionFit& f,
-    const scalar lead
-)
+namespace
 {
-    const label k = law.functions.size();
-    vec deviations(k);
-    for (label j = 0; j < k; ++j)
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+//- All laws that there may be, for the water that the pushes meet
+List<dimensionlessLaw> possibleLaws(correcting& c)
+{
+    HashTable<conditions> met;
+    for (const correctionElement& e : c.elements())
     {
-        deviations[j] =
-            f.explained.best.deviation(s_.bounds().nParameters + j);
+        if (e.family == "push")
+        {
+            runState state(c.s.state(c.atBase));
+            state.noting = true;
+            met = c.s.run(List<runState>(1, state)).first().met;
+            break;
+        }
     }
-    found_.laws.append({law, f.explained.best.x.tail(k), deviations, lead});
+    List<dimensionlessLaw> all(lawsOf("drag", c.elements(), met));
+    all.append(lawsOf("push", c.elements(), met));
+    return all;
 }
 
 
-void Foam::misfit::correctionFitter::judge
+//- Notes the laws in that order, and whether the first explains it: it leads, and no
+//  rival is as good
+void judge
 (
-    const correctionFit& free,
+    correcting& c,
+    const scored& free,
     const List<dimensionlessLaw>& laws,
-    const List<correctionFit>& fits,
+    const List<refitted>& fits,
     const labelList& order
 )
 {
-    const settings& set = s_.set();
+    const settings& set = c.s.set();
+    correctionFound& found = c.found;
     const dimensionlessLaw& best = laws[order[0]];
-    const correctionFit& first = fits[order[0]];
-    const scalar needed = free.free.size() ? set.gap : set.evidence;
+    const refitted& first = fits[order[0]];
+    const scalar needed = found.elements.size() ? set.gap : set.evidence;
     const bool enough =
         first.variables.size() && first.failure.empty()
-     && free.explained.score - first.explained.score >= needed;
-    found_.explained = enough;
+     && free.score - first.best.score >= needed;
+    found.explained = enough;
     for (const label i : order)
     {
-        const scalar score = fits[i].explained.score;
-        const scalar lead = free.explained.score - score;
-        addLaw(laws[i], fits[i], lead);
+        const fitted& f = fits[i].best.best;
+        const scalar score = fits[i].best.score;
+        const scalar lead = free.score - score;
+        const label k = laws[i].functions.size();
+        vec deviations(k);
+        for (label j = 0; j < k; ++j)
+        {
+            deviations[j] = f.deviation(c.s.bounds().nParameters + j);
+        }
+        found.laws.append({laws[i], f.x.tail(k), deviations, lead});
 
         // One that has the best in it, or is a part of it, is no rival, unless
         // it is better and the solver fails with it
         const bool fails = fits[i].failure.size();
-        const bool nested =
-            best.contains(laws[i]) || laws[i].contains(best);
+        const bool nested = best.contains(laws[i]) || laws[i].contains(best);
         const scalar limit = nested ? (fails ? 0 : -GREAT) : set.gap;
-        if (score < first.explained.score + limit)
+        if (score < first.best.score + limit)
         {
-            found_.explained = false;
-            if
-            (
-                fails && found_.lawThatFails < 0
-             && (enough || lead >= needed)
-            )
+            found.explained = false;
+            if (fails && found.lawThatFails < 0 && (enough || lead >= needed))
             {
-                found_.lawThatFails = found_.laws.size() - 1;
+                found.lawThatFails = found.laws.size() - 1;
             }
         }
     }
 }
 
+} // End anonymous namespace
 
-Foam::List<Foam::misfit::dimensionlessLaw> Foam::misfit::correctionFitter::laws()
+
+Foam::misfit::refitted
+Foam::misfit::followLaws(correcting& c, const refitted& free)
 {
-    HashTable<conditions> met;
-    for (const correctionElement& e : elements())
+    const List<dimensionlessLaw> laws(possibleLaws(c));
+    if (laws.empty())
     {
-        if (e.family == "push")
-        {
-            runState state(s_.state(atBase_));
-            state.noting = true;
-            met = s_.run(List<runState>(1, state)).first().met;
-            break;
-        }
+        return free;
     }
-    List<dimensionlessLaw> all;
-    for (const word family : {"drag", "push"})
-    {
-        all.append(lawsOf(family, elements(), met));
-    }
-    return all;
-}
-
-
-Foam::misfit::correctionFit Foam::misfit::correctionFitter::follow
-(
-    const correctionFit& free,
-    const List<dimensionlessLaw>& laws
-)
-{
-    const scalar number = 2*std::log(scalar(laws.size()));
-    List<correctionFit> fits;
+    List<refitted> fits(laws.size());
     labelList order(identity(laws.size()));
-    for (const dimensionlessLaw& l : laws)
+    forAll(laws, i)
     {
-        fits.append(score(l.combination, number));
+        fits[i].best =
+            c.fit(laws[i].combination, 2*std::log(scalar(laws.size())));
     }
+    const auto rank = [&](const label i)
+    {
+        return std::make_pair(!fits[i].failure.empty(), fits[i].best.score);
+    };
     const auto sort = [&]()
     {
         std::stable_sort
         (
             order.begin(),
             order.end(),
-            [&](const label a, const label b)
-            {
-                const bool ran = fits[a].failure.empty();
-                return
-                    ran == fits[b].failure.empty()
-                  ? fits[a].explained.score < fits[b].explained.score : ran;
-            }
+            [&](const label a, const label b) { return rank(a) < rank(b); }
         );
     };
     sort();
 
     // In the solver, too, until the best of those that run was computed
-    for (label n = 0; n < s_.set().refit; ++n)
+    for (label n = 0; n < c.s.set().refit; ++n)
     {
-        correctionFit& first = fits[order[0]];
-        const scalar limit = free.explained.score + s_.set().gap;
-        if (first.variables.size() || first.explained.score > limit)
+        refitted& first = fits[order[0]];
+        const scalar limit = free.best.score + c.s.set().gap;
+        if (first.variables.size() || first.best.score > limit)
         {
             break;
         }
-        compute(first);
+        first = c.compute(first.best);
         sort();
     }
-    judge(free, laws, fits, order);
-    return fits[order[0]];
+    judge(c, free.best, laws, fits, order);
+    return c.found.explained ? fits[order[0]] : free;
 }

@@ -17,7 +17,7 @@ std::vector<int> alwaysFailing
 (
     const study& s,
     const std::vector<vec>& design,
-    const stringList& failures
+    const List<samples>& given
 )
 {
     std::vector<int> never;
@@ -29,7 +29,7 @@ std::vector<int> alwaysFailing
         {
             const bool on = design[i][s.bounds().nParameters + m] > 0;
             asked += on;
-            ran += on && failures[i].empty();
+            ran += on && given[i].ok();
         }
         if (asked && !ran)
         {
@@ -57,7 +57,7 @@ mat shapes(const study& s, const sampledModel& calibration, const scored& base)
     // A weak effect may look otherwise than a strong one, as one that delays
     std::vector<int> all(s.names().size());
     std::iota(all.begin(), all.end(), 0);
-    for (const vec& with : sensitivityDesign(s.bounds(), at, all, s.strengths()))
+    for (const vec& with : s.sensitivityDesign(at, all))
     {
         add(calibration.surface()(with) - calibration.surface()(at));
     }
@@ -111,16 +111,16 @@ std::vector<int> Foam::misfit::addCalibrationRuns(study& s, models& m)
             design.push_back(s.variables(state));
         }
     }
-    const stringList failures(addRuns(s, m, design));
-    forAll(failures, i)
+    const List<samples> given(m.addRuns(s, design));
+    forAll(given, i)
     {
-        if (failures[i].size())
+        if (!given[i].ok())
         {
-            s.leaveOut(s.state(design[i]), failures[i]);
+            s.leaveOut(s.state(design[i]), given[i].failure);
         }
     }
     m.build(s);
-    return alwaysFailing(s, design, failures);
+    return alwaysFailing(s, design, given);
 }
 
 
@@ -255,20 +255,16 @@ void Foam::misfit::addSensitivityRuns
     at.head(s.bounds().nParameters) =
         base.best.x.head(s.bounds().nParameters);
     std::vector<vec> design(1, at);
-    const auto alone
-    (
-        sensitivityDesign(s.bounds(), at, candidates.left, s.strengths())
-    );
+    const std::vector<vec> alone(s.sensitivityDesign(at, candidates.left));
     design.insert(design.end(), alone.begin(), alone.end());
-    const stringList failures(addRuns(s, m, design));
+    const List<samples> given(m.addRuns(s, design));
 
     std::vector<int> left;
     for (label i = 0; i < count(candidates.left); ++i)
     {
         const int mechanism = candidates.left[i];
-        const string& weak = failures[1 + 2*i];
-        const string& strong = failures[2 + 2*i];
-        if (weak.empty() || strong.empty())
+        const samples& weak = given[1 + 2*i];
+        if (weak.ok() || given[2 + 2*i].ok())
         {
             left.push_back(mechanism);
         }
@@ -277,8 +273,8 @@ void Foam::misfit::addSensitivityRuns
             never.push_back(mechanism);
             candidates.dropped.append
             ({
-                s.names()[mechanism], droppedCandidate::reason::failed, weak,
-                0, 0
+                s.names()[mechanism], droppedCandidate::reason::failed,
+                weak.failure, 0, 0
             });
         }
     }

@@ -172,14 +172,7 @@ Foam::misfit::plan(sampler& ask, const settings& set)
         ({
             "Sensitivities of the mechanisms (around the calibrated state, not the"
             " one shown)",
-            replicated
-            (
-                s,
-                sensitivityDesign
-                (
-                    s.bounds(), s.bounds().mean, every, s.strengths()
-                )
-            )
+            replicated(s, s.sensitivityDesign(s.bounds().mean, every))
         });
     }
     if (set.correction.size())

@@ -100,15 +100,7 @@ Foam::misfit::computed Foam::misfit::explanations::lookUp
     {
         return *found;
     }
-    computed c;
-    c.what = w.what;
-    c.variables = m.calibration->model(w.what).expand(w.best.x);
-    c.given.calibration = w.best.f;
-    if (m.validation->size())
-    {
-        c.given.validation = m.validation->surface()(c.variables);
-    }
-    return c;
+    return onSurface(m, w);
 }
 
 
@@ -135,6 +127,21 @@ void Foam::misfit::explanations::forget(const hypothesis& h)
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::misfit::computed
+Foam::misfit::onSurface(const models& m, const scored& w)
+{
+    computed c;
+    c.what = w.what;
+    c.variables = m.calibration->model(w.what).expand(w.best.x);
+    c.given.calibration = w.best.f;
+    if (m.validation->size())
+    {
+        c.given.validation = m.validation->surface()(c.variables);
+    }
+    return c;
+}
+
 
 std::vector<int> Foam::misfit::commonMechanisms(const std::vector<scored>& list)
 {

@@ -3,7 +3,9 @@
 // dimensionless numbers.
 
 #include "freeCorrection.H"
-#include "correctionFitter.H"
+#include "correcting.H"
+#include "designs.H"
+#include "detect.H"
 
 #include <cmath>
 
@@ -12,6 +14,195 @@ namespace
 
 using namespace Foam;
 using namespace Foam::misfit;
+
+//- Runs the base, each element, and the parameters again, which are there. False if the
+//  base fails
+bool computeSensitivities(correcting& c)
+{
+    std::vector<vec> design(1, c.atBase);
+    forAll(c.elements(), i)
+    {
+        design.push_back(c.atBase);
+        design.back()[c.s.bounds().nParameters + i] = c.elements()[i].size;
+    }
+    for (const vec& x : parameterDesign(c.s.bounds()))
+    {
+        design.push_back(x);
+    }
+    const List<samples> given(c.m.addRuns(c.s, design));
+    forAll(c.elements(), i)
+    {
+        if (!given[i + 1].ok())
+        {
+            c.found.failed.append(c.elements()[i].name);
+        }
+    }
+    c.given = given.first();
+    c.found.failure = c.given.failure;
+    c.m.build(c.s);
+    return c.given.ok();
+}
+
+
+//- Some elements are free
+scored fitFree(const correcting& c, const labelList& some)
+{
+    const label n = c.elements().size();
+    const label k = some.size();
+    mat combination = mat::Zero(n, k);
+    forAll(some, i)
+    {
+        combination(some[i], i) = 1;
+    }
+
+    // Twice the logarithm of the number of ways to choose these
+    const scalar number =
+        2*(std::lgamma(n + 1.) - std::lgamma(k + 1.) - std::lgamma(n - k + 1.));
+    return c.fit(combination, number);
+}
+
+
+//- The best with one more element that is free, which is appended to them
+scored withOneMore(const correcting& c, labelList& free)
+{
+    scored best;
+    labelList chosen(free);
+    forAll(c.elements(), i)
+    {
+        if (free.found(i) || c.found.failed.found(c.elements()[i].name))
+        {
+            continue;
+        }
+        labelList more(free);
+        more.append(i);
+        const scored one(fitFree(c, more));
+        if (one.score < best.score)
+        {
+            best = one;
+            chosen = more;
+        }
+    }
+    free = chosen;
+    return best;
+}
+
+
+//- Elements taken up one after the other
+refitted fitFreely(correcting& c)
+{
+    const settings& set = c.s.set();
+    labelList free;
+    refitted r;
+    r.best = fitFree(c, free);
+    const scalar none = r.best.score;
+
+    // The first one must be evidence, the others more than luck
+    while (free.size() < set.correctionMost)
+    {
+        const scalar wanted =
+            free.empty() ? none - set.evidence : r.best.score - set.gap;
+        labelList more(free);
+        const scored next(withOneMore(c, more));
+        if (next.score > wanted)
+        {
+            break;
+        }
+        r.best = next;
+        free = more;
+    }
+    c.found.gain = none - r.best.score;
+    if (free.size())
+    {
+        r = c.compute(r.best);
+    }
+    forAll(free, i)
+    {
+        const label k = c.s.bounds().nParameters + i;
+        c.found.elements.append
+        ({
+            c.elements()[free[i]], r.best.best.x[k], r.best.best.deviation(k)
+        });
+    }
+    return r;
+}
+
+
+//- Another experiment, before and after; true if the solver runs and matches it with the
+//  correction
+bool holdsIn
+(
+    correcting& c,
+    const observed& other,
+    const refitted& r,
+    const covariance& known
+)
+{
+    // A push that follows the flow is another one where the flow is another
+    const dimensionlessLaw* law =
+        c.found.explained ? &c.found.laws.first().law : nullptr;
+    runState state(c.s.state(other.experiment, c.atBase));
+    state.noting = law && law->family == "push";
+    const samples before(c.s.means(List<runState>(1, state)).first());
+    if (!before.ok())
+    {
+        return false;
+    }
+    vec x = r.variables;
+    if (state.noting)
+    {
+        const mat there(combinationOf(*law, c.elements(), before.met));
+        x.tail(c.elements().size()) = there*r.best.best.x.tail(there.cols());
+    }
+    state = c.s.state(other.experiment, x);
+    const samples after(c.s.means(List<runState>(1, state)).first());
+    if (!after.ok() || !other.of(other.use).size())
+    {
+        return false;
+    }
+    compare
+    (
+        heldOut::part::experiment, other, other.use, before, after, known,
+        c.s.set(), c.found.held
+    );
+    const heldOut& h = c.found.held.last();
+    const scalar left = 1 + c.s.set().leftIfConfirmed*(h.squareBefore - 1);
+    return h.squareAfter < max(left, h.limitOfMatch);
+}
+
+
+//- What it leaves, and held-out channels and experiments
+void test
+(
+    correcting& c,
+    const refitted& r,
+    const std::map<word, covariance>& known
+)
+{
+    correctionFound& found = c.found;
+    found.after = r.best.best.f;
+    found.left = scanResidual(c.s, *c.m.calibration, r.best).p;
+    found.isEnough = found.left >= c.s.set().adequacy;
+    compareHere(c.s, c.given, r.given, c.m.validation->uncertainty(), found.held);
+    label asked = 0;
+    label held = 0;
+    for (label i = 1; i < c.s.experiments().size(); ++i)
+    {
+        const observed& other = c.s.experiments()[i];
+        const bool holds = holdsIn(c, other, r, known.at(other.experiment));
+        if (other.use == purpose::validation && other.validation.size())
+        {
+            ++asked;
+            held += holds;
+        }
+    }
+    found.transfers = asked && held == asked;
+    for (const heldOut& h : found.held)
+    {
+        const bool worse = h.squareAfter > h.squareBefore;
+        found.holds = found.holds && !(worse && h.use == purpose::validation);
+    }
+}
+
 
 //- A law of dimensionless numbers is a name, as sure as its lead up to a limit: no
 //  case of the table of confidences has one
@@ -45,25 +236,20 @@ Foam::misfit::correctionFound Foam::misfit::fitCorrection
 )
 {
     Info<< "Free correction" << endl;
-    correctionFitter fitter(s, m, base);
-    const correctionFound& found = fitter.found();
-    if (fitter.computeSensitivities())
+    correcting c(s, m, base);
+    correctionFound& found = c.found;
+    if (computeSensitivities(c))
     {
-        const correctionFit free(fitter.freely());
-        const List<dimensionlessLaw> laws(fitter.laws());
-        correctionFit best(free);
-        if (laws.size())
+        const refitted best(followLaws(c, fitFreely(c)));
+        if (found.elements.size() || found.explained)
         {
-            const correctionFit law(fitter.follow(free, laws));
-            best = found.explained ? law : free;
+            test(c, best, known);
         }
-        if (free.free.size() || found.explained)
-        {
-            fitter.test(best, known);
-        }
-        fitter.finish(best);
+        found.ofSurface = best.failure.size();
+        found.named =
+            found.explained && found.transfers && found.holds && found.isEnough;
     }
-    runs += fitter.nRuns();
+    runs += c.s.nRuns();
     return found;
 }
 

@@ -11,12 +11,6 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
-bool isTried(const std::vector<hypothesis>& tried, const hypothesis& h)
-{
-    return statistics::contains(tried, h);
-}
-
-
 //- Computes an explanation and notes what the solver gave
 scored computedAnew
 (
@@ -205,7 +199,7 @@ void Foam::misfit::refitBest(study& s, const models& m, explanations& e)
     {
         e.sort();
         label i = 0;
-        while (i < most && isTried(done, all[i].what))
+        while (i < most && statistics::contains(done, all[i].what))
         {
             ++i;
         }
@@ -233,7 +227,7 @@ void Foam::misfit::prefer
     {
         preferAmongRivals(s, m, e);
         const hypothesis what(e.best().what);
-        if (!detected || e.find(what) || isTried(tried, what))
+        if (!detected || e.find(what) || statistics::contains(tried, what))
         {
             return;
         }

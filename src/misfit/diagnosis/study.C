@@ -3,6 +3,7 @@
 // variables there are.
 
 #include "study.H"
+#include "designs.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -82,22 +83,18 @@ Foam::misfit::study::namesOf(const std::vector<int>& strengths) const
 }
 
 
-std::vector<std::pair<Foam::scalar, Foam::scalar>>
-Foam::misfit::study::strengths() const
+std::vector<Foam::misfit::vec> Foam::misfit::study::sensitivityDesign
+(
+    const vec& around,
+    const std::vector<int>& strengths
+) const
 {
     std::vector<std::pair<scalar, scalar>> both;
     for (const candidate& c : settings_.candidates)
     {
         both.push_back({c.weak, c.strong});
     }
-    return both;
-}
-
-
-std::unique_ptr<Foam::misfit::sampledModel>
-Foam::misfit::study::model(const stacked& data) const
-{
-    return std::make_unique<sampledModel>(data, bounds_, settings_.clockUncertainty);
+    return statistics::sensitivityDesign(bounds_, around, strengths, both);
 }
 
 
@@ -168,24 +165,33 @@ void Foam::misfit::study::leaveOut(const runState& s, const string& why)
 }
 
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+Foam::misfit::models::models(const study& s)
+:
+    calibration
+    (
+        new sampledModel
+        (
+            s.data().calibration, s.bounds(), s.set().clockUncertainty
+        )
+    ),
+    validation
+    (
+        new sampledModel(s.data().validation, s.bounds(), s.set().clockUncertainty)
+    )
+{}
 
-Foam::stringList Foam::misfit::addRuns
-(
-    study& s,
-    models& m,
-    const std::vector<vec>& variables
-)
+
+Foam::List<Foam::misfit::samples>
+Foam::misfit::models::addRuns(study& s, const std::vector<vec>& variables)
 {
     const List<samples> given(s.means(variables));
-    stringList failures(given.size());
     forAll(given, i)
     {
-        failures[i] = given[i].failure;
         if (given[i].ok())
         {
-            m.addRun(variables[i], given[i]);
+            calibration->addRun(variables[i], given[i].calibration);
+            validation->addRun(variables[i], given[i].validation);
         }
     }
-    return failures;
+    return given;
 }

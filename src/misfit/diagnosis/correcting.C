@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the steps of a free correction share.
+
+#include "correcting.H"
+
+Foam::misfit::correcting::correcting
+(
+    const study& whole,
+    const models& all,
+    const scored& calibrated
+)
+:
+    s(whole.ofCorrection()),
+    m(s),
+    base(calibrated),
+    white(base.covariance),
+    atBase(vec::Zero(s.bounds().mean.size()))
+{
+    const label nP = s.bounds().nParameters;
+    atBase.head(nP) = base.best.x.head(nP);
+    m.calibration = all.calibration->withVariables(s.bounds());
+    m.validation = all.validation->withVariables(s.bounds());
+    found.asked = true;
+}
+
+
+Foam::misfit::scored Foam::misfit::correcting::fit
+(
+    const mat& combination,
+    const scalar number
+) const
+{
+    scored w;
+    w.what.combination = combination;
+    w.number = number;
+    w.covariance = base.covariance;
+    return m.calibration->score(s.set().modelDiscrepancy).again(w, white);
+}
+
+
+Foam::misfit::refitted
+Foam::misfit::correcting::compute(const scored& start)
+{
+    refitted r(refit(s, *m.calibration, start, &white));
+    if (r.failure.size())
+    {
+        const computed said(onSurface(m, r.best));
+        r.variables = said.variables;
+        r.given = said.given;
+    }
+    return r;
+}
