@@ -3,6 +3,7 @@
 #include "tableColumns.H"
 
 #include <algorithm>
+#include <cfenv>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -16,13 +17,8 @@ namespace
 
 double numberOf(const std::string& cell, const std::string& place)
 {
-    if (cell.empty())
-    {
-        return std::numeric_limits<double>::quiet_NaN();
-    }
-    char* end = nullptr;
-    const double value = std::strtod(cell.c_str(), &end);
-    if (*end || !std::isfinite(value))
+    const double value = numberIn(cell);
+    if (!cell.empty() && std::isnan(value))
     {
         throw std::invalid_argument
         (
@@ -61,6 +57,20 @@ std::vector<int> placesOf
 }
 
 } // End anonymous namespace
+
+
+double numberIn(const std::string& cell)
+{
+    // What is too large must not end the program where overflow is trapped
+    std::fenv_t traps;
+    std::feholdexcept(&traps);
+    char* end = nullptr;
+    const double value = std::strtod(cell.c_str(), &end);
+    std::fesetenv(&traps);
+    return
+        cell.empty() || *end || !std::isfinite(value)
+      ? std::numeric_limits<double>::quiet_NaN() : value;
+}
 
 
 std::vector<std::string> cellsOf(std::string line)

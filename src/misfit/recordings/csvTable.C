@@ -3,48 +3,11 @@
 
 #include "csvTable.H"
 #include "quoted.H"
+#include "tableColumns.H"
 #include "IFstream.H"
 #include "OSspecific.H"
-#include "DynamicList.H"
-#include "stringOps.H"
 
-#include <cfenv>
 #include <cmath>
-#include <sstream>
-
-namespace
-{
-
-//- The cells of a line, without the spaces around them
-Foam::stringList cellsOf(const std::string& line)
-{
-    Foam::DynamicList<Foam::string> cells;
-    std::istringstream is(line + ',');
-    std::string cell;
-    while (std::getline(is, cell, ','))
-    {
-        cells.append(Foam::stringOps::trim(cell));
-    }
-    return Foam::stringList(std::move(cells));
-}
-
-
-//- The number in a cell; not a number if it holds anything else
-Foam::scalar number(const Foam::string& cell)
-{
-    // What is too large must not end the program where overflow is trapped
-    std::fenv_t traps;
-    std::feholdexcept(&traps);
-    char* end = nullptr;
-    const double value = std::strtod(cell.c_str(), &end);
-    std::fesetenv(&traps);
-    return
-        cell.empty() || *end || !std::isfinite(value)
-      ? std::nan("") : value;
-}
-
-} // End anonymous namespace
-
 
 void Foam::misfit::csvTable::readNames(const std::string& line)
 {
@@ -56,12 +19,10 @@ void Foam::misfit::csvTable::readNames(const std::string& line)
             << exit(FatalError);
     }
 
-    names_ = cellsOf(line);
-    columns_.setSize(names_.size());
-
-    for (const string& name : names_)
+    for (const std::string& name : statistics::cellsOf(line))
     {
-        if (!std::isnan(number(name)))
+        names_.append(name);
+        if (!std::isnan(statistics::numberIn(name)))
         {
             FatalErrorInFunction
                 << "The file " << file_ << " has no line of column names"
@@ -69,6 +30,7 @@ void Foam::misfit::csvTable::readNames(const std::string& line)
                 << " unit, for instance: t_s,p_Pa" << exit(FatalError);
         }
     }
+    columns_.setSize(names_.size());
 }
 
 
@@ -78,8 +40,8 @@ void Foam::misfit::csvTable::readRow
     const label lineNumber
 )
 {
-    const stringList cells(cellsOf(line));
-    if (cells.size() != names_.size())
+    const std::vector<std::string> cells(statistics::cellsOf(line));
+    if (label(cells.size()) != names_.size())
     {
         FatalErrorInFunction
             << "Line " << lineNumber << " of " << file_ << " has "
@@ -87,9 +49,9 @@ void Foam::misfit::csvTable::readRow
             << quoted(names_).c_str() << exit(FatalError);
     }
 
-    forAll(cells, i)
+    forAll(names_, i)
     {
-        const scalar value = number(cells[i]);
+        const scalar value = statistics::numberIn(cells[i]);
         if (std::isnan(value))
         {
             FatalErrorInFunction
