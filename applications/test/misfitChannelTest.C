@@ -69,9 +69,9 @@ TEST(misfitChannel, aFileInOtherUnitsIsReadInSI)
     files f;
     f.write("S1.csv", "# sensor S1\nt_ms,p [kPa]\n0,1\n500,2\n\n1000,4\n");
     const channel c(make(f, "file \"S1.csv\";"));
-    ASSERT_EQ(c.recorded().x.size(), 3);
-    EXPECT_DOUBLE_EQ(c.recorded().x[1], 0.5);
-    EXPECT_DOUBLE_EQ(c.recorded().y[2], 4000);
+    ASSERT_EQ(c.recorded.x.size(), 3);
+    EXPECT_DOUBLE_EQ(c.recorded.x[1], 0.5);
+    EXPECT_DOUBLE_EQ(c.recorded.y[2], 4000);
 }
 
 
@@ -87,8 +87,8 @@ TEST(misfitChannel, aFileWithoutUnitsIsReadWithThoseGivenBeside)
             "file \"S1.csv\"; xUnit s; xScale 0.1; unit Pa; scale 3; offset 1;"
         )
     );
-    EXPECT_DOUBLE_EQ(c.recorded().x[2], 0.2);
-    EXPECT_DOUBLE_EQ(c.recorded().y[2], 13);
+    EXPECT_DOUBLE_EQ(c.recorded.x[2], 0.2);
+    EXPECT_DOUBLE_EQ(c.recorded.y[2], 13);
 }
 
 
@@ -96,9 +96,9 @@ TEST(misfitChannel, aColumnIsFoundByItsNameWithOrWithoutUnit)
 {
     files f;
     f.write("S1.csv", "t_s,pa_Pa,p_Pa\n0,1,5\n1,2,6\n2,4,7\n");
-    EXPECT_EQ(make(f, "file \"S1.csv\"; column p;").recorded().y[0], 5);
-    EXPECT_EQ(make(f, "file \"S1.csv\"; column p_Pa;").recorded().y[0], 5);
-    EXPECT_EQ(make(f, "file \"S1.csv\";").recorded().y[0], 1);
+    EXPECT_EQ(make(f, "file \"S1.csv\"; column p;").recorded.y[0], 5);
+    EXPECT_EQ(make(f, "file \"S1.csv\"; column p_Pa;").recorded.y[0], 5);
+    EXPECT_EQ(make(f, "file \"S1.csv\";").recorded.y[0], 1);
 }
 
 
@@ -112,15 +112,15 @@ TEST(misfitChannel, samplesAreMeansOfTheReadingsInThem)
     files f;
     f.write("S1.csv", text);
     const channel c(make(f, "file \"S1.csv\";", 10));
-    ASSERT_EQ(c.samples().size, 10);
-    EXPECT_NEAR(c.samples().span, 0.1, 1e-12);
-    EXPECT_NEAR(c.samples().x[3], 0.35, 1e-12);
-    EXPECT_NEAR(c.samples().readings[3], 100, 1);
-    EXPECT_NEAR(c.sampled()[3], 2*350, 2);
+    ASSERT_EQ(c.samples.size, 10);
+    EXPECT_NEAR(c.samples.span, 0.1, 1e-12);
+    EXPECT_NEAR(c.samples.x[3], 0.35, 1e-12);
+    EXPECT_NEAR(c.samples.readings[3], 100, 1);
+    EXPECT_NEAR(c.sampled(c.recorded)[3], 2*350, 2);
 
     // A simulation with long steps is sampled in the same way
     const series simulated{{0, 0.5, 1}, {0, 1000, 2000}};
-    EXPECT_NEAR(c.sampled(simulated)[3], c.sampled()[3], 1e-9);
+    EXPECT_NEAR(c.sampled(simulated)[3], c.sampled(c.recorded)[3], 1e-9);
 }
 
 
@@ -129,9 +129,9 @@ TEST(misfitChannel, fewReadingsAreTakenAsTheyAre)
     files f;
     f.write("S1.csv", "t_s,p_Pa\n0,1\n1,2\n5,4\n");
     const channel c(make(f, "file \"S1.csv\";"));
-    ASSERT_EQ(c.samples().size, 3);
-    EXPECT_EQ(c.samples().span, 0);
-    EXPECT_EQ(c.samples().x[2], 5);
+    ASSERT_EQ(c.samples.size, 3);
+    EXPECT_EQ(c.samples.span, 0);
+    EXPECT_EQ(c.samples.x[2], 5);
 }
 
 
@@ -140,8 +140,8 @@ TEST(misfitChannel, onlyTheIntervalCounts)
     files f;
     f.write("S1.csv", "t_s,p_Pa\n0,1\n1,2\n2,4\n3,5\n4,6\n");
     const channel c(make(f, "file \"S1.csv\"; interval (1 3);"));
-    EXPECT_EQ(c.samples().size, 3);
-    EXPECT_EQ(c.sampled()[0], 2);
+    EXPECT_EQ(c.samples.size, 3);
+    EXPECT_EQ(c.sampled(c.recorded)[0], 2);
 }
 
 
@@ -151,10 +151,10 @@ TEST(misfitChannel, aNumberAloneIsOneSampleInSI)
     const channel c(make(f, "value 3; unit kPa; recorder logger;"));
     EXPECT_TRUE(c.isRecorded());
     EXPECT_FALSE(c.overTime());
-    EXPECT_EQ(c.at(), 0);
-    EXPECT_EQ(c.samples().recorder, "logger");
-    ASSERT_EQ(c.samples().size, 1);
-    EXPECT_NEAR(c.sampled()[0], 3000, 1e-9);
+    EXPECT_EQ(c.at, 0);
+    EXPECT_EQ(c.samples.recorder, "logger");
+    ASSERT_EQ(c.samples.size, 1);
+    EXPECT_NEAR(c.sampled(c.recorded)[0], 3000, 1e-9);
 
     series simulated;
     simulated.x = {0.0};
@@ -193,9 +193,9 @@ TEST(misfitChannel, theQuietTimeBeforeTheArrivalShowsTheNoise)
     files f;
     f.write("S1.csv", text);
     const channel c(make(f, "file \"S1.csv\";"));
-    EXPECT_NEAR(c.samples().uncertainty, 5, 0.5);
-    EXPECT_NEAR(c.samples().memory, 0.001/std::log(2.0), 0.0003);
-    EXPECT_EQ(make(f, "file \"S1.csv\"; memory 0.3;").samples().memory, 0.3);
+    EXPECT_NEAR(c.samples.uncertainty, 5, 0.5);
+    EXPECT_NEAR(c.samples.memory, 0.001/std::log(2.0), 0.0003);
+    EXPECT_EQ(make(f, "file \"S1.csv\"; memory 0.3;").samples.memory, 0.3);
 }
 
 
@@ -292,7 +292,7 @@ TEST(misfitChannel, aVariableInTheNameMustBeSetOrHaveADefault)
     files f;
     f.write("S1.csv", text);
     const std::string folder("${NOT_SET:-" + f.folder() + "}");
-    EXPECT_EQ(make(f, "file \"" + folder + "/S1.csv\";").samples().size, 4);
+    EXPECT_EQ(make(f, "file \"" + folder + "/S1.csv\";").samples.size, 4);
 }
 
 
@@ -311,8 +311,8 @@ TEST(misfitChannel, duplicateTimesAreRefusedOrAveraged)
     files f;
     f.write("S1.csv", text);
     const channel c(make(f, "file \"S1.csv\"; duplicates average;"));
-    ASSERT_EQ(c.samples().size, 4);
-    EXPECT_EQ(c.sampled()[1], 3);
+    ASSERT_EQ(c.samples.size, 4);
+    EXPECT_EQ(c.sampled(c.recorded)[1], 3);
 }
 
 

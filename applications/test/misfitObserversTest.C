@@ -102,7 +102,7 @@ TEST(misfitObservers, aNumberAloneIsTheLastLineOfItsTable)
     );
     const series s(observer::New(recorded)->read(c.folder()));
     EXPECT_NEAR(recorded.sampled(s)[0], 7, 1e-12);
-    EXPECT_NEAR(recorded.sampled()[0], 0.003, 1e-12);
+    EXPECT_NEAR(recorded.sampled(recorded.recorded)[0], 0.003, 1e-12);
 }
 
 

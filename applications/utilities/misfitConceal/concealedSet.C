@@ -225,7 +225,7 @@ Foam::scalar Foam::misfit::concealedSide::difference(const label run)
             (
                 largest,
                 mag(now.channels[i].y[k] - then.channels[i](now.channels[i].x[k]))
-               /bare_.channels()[i].samples().uncertainty
+               /bare_.channels()[i].samples.uncertainty
             );
         }
     }

@@ -35,7 +35,7 @@ Foam::misfit::detectability::sampled(const nlohmann::json& effect) const
         );
         for (const channel& c : recorded_.channels())
         {
-            if (c.name() == s.name)
+            if (c.name == s.name)
             {
                 const scalarList values(c.sampled(change));
                 s.of(all) =

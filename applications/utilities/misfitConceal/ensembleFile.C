@@ -104,7 +104,7 @@ void Foam::misfit::ensembleFile::write
             const series& s = runs[i].channels[c];
             if (s.x.size())
             {
-                os << channels.channels()[c].name() << ' ' << s.x.first()
+                os << channels.channels()[c].name << ' ' << s.x.first()
                     << ' ' << step;
                 for (const scalar y : s.y)
                 {
@@ -146,7 +146,7 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::ensembleFile::read
         }
         for (const channel& c : channels.channels())
         {
-            if (c.experiment() == states[i].experiment && runs[i].ok())
+            if (c.experiment == states[i].experiment && runs[i].ok())
             {
                 const std::string line(nextLine(is, file));
                 runs[i].channels.append(readSeries(line));

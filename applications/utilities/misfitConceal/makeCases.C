@@ -45,15 +45,15 @@ json effect
     forAll(all.channels(), i)
     {
         const channel& ch = all.channels()[i];
-        if (ch.experiment() == "A")
+        if (ch.experiment == "A")
         {
-            series s(c.recorded(with.channels[i], ch.name()));
-            const series b(sound.recorded(without.channels[i], ch.name()));
+            series s(c.recorded(with.channels[i], ch.name));
+            const series b(sound.recorded(without.channels[i], ch.name));
             forAll(s.y, k)
             {
                 s.y[k] -= b.y[k];
             }
-            changes[ch.name()] = {{"t", s.x}, {"change", s.y}};
+            changes[ch.name] = {{"t", s.x}, {"change", s.y}};
         }
     }
     return changes;
@@ -111,9 +111,9 @@ wordList fittedChannels(const recordings& all)
     wordList names;
     for (const channel& c : all.channels())
     {
-        if (c.experiment() == "A" && c.use() == purpose::calibration)
+        if (c.experiment == "A" && c.use == purpose::calibration)
         {
-            names.append(c.name());
+            names.append(c.name);
         }
     }
     return names;
@@ -194,10 +194,10 @@ void Foam::misfit::makeCases
         forAll(all.channels(), k)
         {
             const channel& ch = all.channels()[k];
-            const label e = all.experiments().find(ch.experiment());
-            series s(cases[i].recorded(mine[e].channels[k], ch.name()));
-            lots.addNoise(s, cases[i].level*ch.samples().uncertainty);
-            writeCsv(target/ch.name() + ".csv", s, ch.quantity());
+            const label e = all.experiments().find(ch.experiment);
+            series s(cases[i].recorded(mine[e].channels[k], ch.name));
+            lots.addNoise(s, cases[i].level*ch.samples.uncertainty);
+            writeCsv(target/ch.name + ".csv", s, ch.samples.quantity);
         }
         writeWhole(target/"level", shortNumber(cases[i].level) + '\n');
 

@@ -20,47 +20,6 @@ const Foam::Enum<Foam::misfit::gateKind> Foam::misfit::gateNames
 });
 
 
-Foam::misfit::gate Foam::misfit::gate::at
-(
-    const gateKind kind,
-    const scalar value,
-    const scalar limit
-)
-{
-    gate g;
-    g.kind = kind;
-    g.value = value;
-    g.limit = limit;
-    return g;
-}
-
-
-Foam::misfit::gate Foam::misfit::gate::atLeast
-(
-    const gateKind kind,
-    const scalar value,
-    const scalar limit
-)
-{
-    gate g(at(kind, value, limit));
-    g.passed = value >= limit;
-    return g;
-}
-
-
-Foam::misfit::gate Foam::misfit::gate::below
-(
-    const gateKind kind,
-    const scalar value,
-    const scalar limit
-)
-{
-    gate g(at(kind, value, limit));
-    g.passed = value < limit;
-    return g;
-}
-
-
 bool Foam::misfit::gateList::passed(const gateKind kind) const
 {
     if (!statistics::contains(asked_, kind))

@@ -10,6 +10,15 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
+void addTo(vec& sum, const vec& v)
+{
+    sum = sum.size() ? vec(sum + v) : v;
+}
+
+
+constexpr purpose uses[] = {purpose::calibration, purpose::validation, purpose::test};
+
+
 vec toVec(const scalarList& list)
 {
     return Eigen::Map<const vec>(list.cdata(), list.size());
@@ -18,9 +27,41 @@ vec toVec(const scalarList& list)
 
 segment segmentOf(const channel& c, const label first)
 {
-    segment s(c.samples());
+    segment s(c.samples);
     s.first = first;
     return s;
+}
+
+
+//- The samples of those recorded channels
+stacked stack(const recordings& all, const labelList& channels)
+{
+    stacked data;
+    label n = 0;
+    for (const label i : channels)
+    {
+        data.segments.push_back(segmentOf(all.channels()[i], n));
+        n += all.channels()[i].samples.size;
+    }
+    data.y.resize(n);
+    forAll(channels, i)
+    {
+        const channel& c = all.channels()[channels[i]];
+        data.segments[i].of(data.y) = toVec(c.sampled(c.recorded));
+    }
+    return data;
+}
+
+
+//- The samples that a prediction gives for them
+vec stack(const recordings& all, const labelList& channels, const prediction& p)
+{
+    scalarList values;
+    for (const label i : channels)
+    {
+        values.append(all.channels()[i].sampled(p.channels[i]));
+    }
+    return toVec(values);
 }
 
 
@@ -33,20 +74,20 @@ stacked possible(const recordings& all, const word& experiment)
     scalar last = -GREAT;
     for (const channel& c : all.channels())
     {
-        if (c.isRecorded() && c.overTime() && c.experiment() == experiment)
+        if (c.isRecorded() && c.overTime() && c.experiment == experiment)
         {
-            first = min(first, c.samples().x[0]);
-            last = max(last, c.samples().x.tail(1)[0]);
+            first = min(first, c.samples.x[0]);
+            last = max(last, c.samples.x.tail(1)[0]);
         }
     }
     label n = 0;
     for (const channel& c : all.channels())
     {
         const bool wanted =
-            !c.isRecorded() && c.overTime() && c.experiment() == experiment;
-        const bool given = c.interval().first() > -GREAT;
-        const scalar from = given ? c.interval().first() : first;
-        const scalar to = given ? c.interval().second() : last;
+            !c.isRecorded() && c.overTime() && c.experiment == experiment;
+        const bool given = c.interval.first() > -GREAT;
+        const scalar from = given ? c.interval.first() : first;
+        const scalar to = given ? c.interval.second() : last;
         if (wanted && to > from)
         {
             segment s(segmentOf(c, n));
@@ -79,7 +120,7 @@ vec possibleStack
             {
                 const bool here =
                     o.experiment == experiment
-                 && all.channels()[i].name() == s.name;
+                 && all.channels()[i].name == s.name;
                 for (label k = 0; here && k < s.size; ++k)
                 {
                     values.append(p.channels[i](s.x[k]));
@@ -93,56 +134,6 @@ vec possibleStack
 } // End anonymous namespace
 
 
-Foam::misfit::stacked Foam::misfit::stack
-(
-    const recordings& all,
-    const labelList& channels
-)
-{
-    stacked data;
-    label n = 0;
-    for (const label i : channels)
-    {
-        data.segments.push_back(segmentOf(all.channels()[i], n));
-        n += all.channels()[i].samples().size;
-    }
-    data.y.resize(n);
-    forAll(channels, i)
-    {
-        data.segments[i].of(data.y) =
-            toVec(all.channels()[channels[i]].sampled());
-    }
-    return data;
-}
-
-
-Foam::misfit::vec Foam::misfit::stack
-(
-    const recordings& all,
-    const labelList& channels,
-    const prediction& p
-)
-{
-    scalarList values;
-    for (const label i : channels)
-    {
-        values.append(all.channels()[i].sampled(p.channels[i]));
-    }
-    return toVec(values);
-}
-
-
-namespace
-{
-
-void addTo(vec& sum, const vec& v)
-{
-    sum = sum.size() ? vec(sum + v) : v;
-}
-
-} // End anonymous namespace
-
-
 void Foam::misfit::samples::add(const samples& other)
 {
     if (!other.ok())
@@ -150,9 +141,10 @@ void Foam::misfit::samples::add(const samples& other)
         failure = other.failure;
         return;
     }
-    addTo(calibration, other.calibration);
-    addTo(validation, other.validation);
-    addTo(test, other.test);
+    for (const purpose use : uses)
+    {
+        addTo(of(use), other.of(use));
+    }
     addTo(possible, other.possible);
     met = other.met;
 }
@@ -160,9 +152,10 @@ void Foam::misfit::samples::add(const samples& other)
 
 void Foam::misfit::samples::divide(const scalar n)
 {
-    calibration /= n;
-    validation /= n;
-    test /= n;
+    for (const purpose use : uses)
+    {
+        of(use) /= n;
+    }
     possible /= n;
 }
 
@@ -183,15 +176,15 @@ Foam::misfit::predictedSampler::predictedSampler
     names.append(all.experiments(purpose::test));
     for (const word& e : names)
     {
-        data_.append
-        ({
-            e,
-            all.use(e),
-            stack(all, channels(e, purpose::calibration)),
-            stack(all, channels(e, purpose::validation)),
-            stack(all, channels(e, purpose::test)),
-            possible(all, e)
-        });
+        observed o;
+        o.experiment = e;
+        o.use = all.use(e);
+        for (const purpose use : uses)
+        {
+            o.of(use) = stack(all, all.select(e, use));
+        }
+        o.possible = possible(all, e);
+        data_.append(o);
     }
     if (all.experiments(purpose::calibration).size() > 1)
     {
@@ -201,16 +194,6 @@ Foam::misfit::predictedSampler::predictedSampler
             << " are all for calibration, which takes one: give the others"
             << "  use validation;  or  use test;" << exit(FatalError);
     }
-}
-
-
-Foam::labelList Foam::misfit::predictedSampler::channels
-(
-    const word& experiment,
-    const purpose use
-) const
-{
-    return recordings_.select(experiment, use);
 }
 
 
@@ -253,13 +236,9 @@ Foam::misfit::predictedSampler::operator()(const List<runState>& states)
         all[i].failure = p.failure;
         if (p.ok())
         {
-            for
-            (
-                const purpose use :
-                {purpose::calibration, purpose::validation, purpose::test}
-            )
+            for (const purpose use : uses)
             {
-                all[i].of(use) = stack(recordings_, channels(e, use), p);
+                all[i].of(use) = stack(recordings_, recordings_.select(e, use), p);
             }
             all[i].possible = possibleStack(recordings_, data_, e, p);
             all[i].met = p.met;

@@ -19,9 +19,9 @@ Foam::misfit::observer::New(const channel& c)
     (
         keywords::choice
         (
-            c.simulated(),
+            c.simulated,
             "type",
-            "way to observe " + c.name(),
+            "way to observe " + c.name,
             table.sortedToc()
         )
     );

@@ -92,7 +92,7 @@ void Foam::misfit::checkPlaces
             const string said(fault(mesh, o, p));
             if (said.size())
             {
-                wrong << "\n    " << o.of().name() << " at " << p << ' '
+                wrong << "\n    " << o.of().name << " at " << p << ' '
                     << said.c_str();
                 break;
             }

@@ -39,10 +39,10 @@ Foam::dictionary Foam::misfit::probes
 
 void Foam::misfit::requirePlace(const channel& c)
 {
-    if (!c.samples().hasPlace)
+    if (!c.samples.hasPlace)
     {
-        FatalIOErrorInFunction(c.simulated())
-            << "The channel " << c.name() << " is observed at a point, but has"
+        FatalIOErrorInFunction(c.simulated)
+            << "The channel " << c.name << " is observed at a point, but has"
             << " no place: give  place (x y z);  in metres"
             << exit(FatalIOError);
     }
@@ -52,13 +52,13 @@ void Foam::misfit::requirePlace(const channel& c)
 Foam::misfit::probeObserver::probeObserver(const channel& c)
 :
     observer(c),
-    field_(c.simulated().get<word>("field")),
+    field_(c.simulated.get<word>("field")),
     component_(-1),
-    scale_(c.simulated().getOrDefault<scalar>("scale", 1)),
-    offset_(c.simulated().getOrDefault<scalar>("offset", 0)),
-    interval_(c.simulated().getOrDefault<label>("interval", 1))
+    scale_(c.simulated.getOrDefault<scalar>("scale", 1)),
+    offset_(c.simulated.getOrDefault<scalar>("offset", 0)),
+    interval_(c.simulated.getOrDefault<label>("interval", 1))
 {
-    const dictionary& dict = c.simulated();
+    const dictionary& dict = c.simulated;
     keywords::check
     (
         dict,
@@ -88,7 +88,7 @@ void Foam::misfit::probeObserver::addTo(dictionary& functions) const
 {
     functions.add
     (
-        of().name(),
+        of().name,
         probes(field_, places(), patches_, interval_)
     );
 }
@@ -97,11 +97,11 @@ void Foam::misfit::probeObserver::addTo(dictionary& functions) const
 Foam::misfit::series
 Foam::misfit::probeObserver::read(const fileName& caseFolder) const
 {
-    const writtenTable table(caseFolder, of().name(), field_);
+    const writtenTable table(caseFolder, of().name, field_);
     if (table.notFound().size())
     {
         FatalErrorInFunction
-            << "The channel " << of().name() << " is at " << of().place()
+            << "The channel " << of().name << " is at " << of().place()
             << ", which is outside the mesh. Mend its place, or name the wall"
             << " that it is on:  patch <name>;" << exit(FatalError);
     }
@@ -109,7 +109,7 @@ Foam::misfit::probeObserver::read(const fileName& caseFolder) const
     if (component_ < 0 && table.rows().size() && table.rows()[0].size() > 2)
     {
         FatalErrorInFunction
-            << "The channel " << of().name() << " observes the field " << field_
+            << "The channel " << of().name << " observes the field " << field_
             << ", which has directions: name one,  component x;  (or y, z)"
             << exit(FatalError);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Observes the surface of the water over a distance, at a time.
 
-#include "profileObserver.H"
+#include "observer.H"
 #include "addToRunTimeSelectionTable.H"
 #include "keywords.H"
 #include "writtenTable.H"
@@ -10,28 +10,53 @@
 
 namespace Foam::misfit
 {
-    defineTypeNameAndDebug(profileObserver, 0);
-    addToRunTimeSelectionTable(observer, profileObserver, channel);
-}
+
+//- From the table of cells that a sideView of the case writes at the time of the
+//  channel: the depth is the share of water in a column of cells times the
+//  height of the mesh. For meshes of upright columns.
+class profileObserver
+:
+    public observer
+{
+    //- Name of the sideView
+    word function_;
+
+    //- Height of the mesh [m]
+    scalar height_;
+
+
+public:
+
+    TypeName("profile");
+
+    explicit profileObserver(const channel& c);
+
+    series read(const fileName& caseFolder) const override;
+};
+
+defineTypeNameAndDebug(profileObserver, 0);
+addToRunTimeSelectionTable(observer, profileObserver, channel);
+
+} // End namespace Foam::misfit
 
 
 Foam::misfit::profileObserver::profileObserver(const channel& c)
 :
     observer(c),
-    function_(c.simulated().get<word>("function")),
-    height_(c.simulated().get<scalar>("height"))
+    function_(c.simulated.get<word>("function")),
+    height_(c.simulated.get<scalar>("height"))
 {
-    keywords::check(c.simulated(), {"type", "function", "height"});
+    keywords::check(c.simulated, {"type", "function", "height"});
     if (height_ <= 0)
     {
-        FatalIOErrorInFunction(c.simulated())
-            << "The channel " << c.name() << " has the height " << height_
+        FatalIOErrorInFunction(c.simulated)
+            << "The channel " << c.name << " has the height " << height_
             << " m. Give that of the mesh, above zero" << exit(FatalIOError);
     }
     if (c.overTime())
     {
-        FatalIOErrorInFunction(c.simulated())
-            << "The channel " << c.name() << " is a profile, and runs over a"
+        FatalIOErrorInFunction(c.simulated)
+            << "The channel " << c.name << " is a profile, and runs over a"
             << " distance: give the time of it,  at <seconds>;"
             << exit(FatalIOError);
     }
@@ -43,7 +68,7 @@ Foam::misfit::profileObserver::read(const fileName& caseFolder) const
 {
     const writtenTable cells
     (
-        nearestTimeFolder(caseFolder, function_, of().at())/"cells.dat"
+        nearestTimeFolder(caseFolder, function_, of().at)/"cells.dat"
     );
 
     // Columns of a sideView: x y z size alpha speed

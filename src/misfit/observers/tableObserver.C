@@ -1,16 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Observes a column of a table that a function object of the case writes.
 
-#include "tableObserver.H"
+#include "observer.H"
 #include "addToRunTimeSelectionTable.H"
 #include "keywords.H"
 #include "writtenTable.H"
 
 namespace Foam::misfit
 {
-    defineTypeNameAndDebug(tableObserver, 0);
-    addToRunTimeSelectionTable(observer, tableObserver, channel);
-}
+
+//- postProcessing/<function>/<startTime>/<file>: time and the column. For a
+//  channel over a distance: postProcessing/<function>/<time>/<file> of the time
+//  nearest to that of the channel, the columns of distance and value.
+class tableObserver
+:
+    public observer
+{
+    word function_;
+
+    fileName file_;
+
+    //- Names or, from 1, numbers of the columns
+    string x_;
+
+    string y_;
+
+    scalar scale_;
+
+    scalar offset_;
+
+
+public:
+
+    TypeName("table");
+
+    explicit tableObserver(const channel& c);
+
+    series read(const fileName& caseFolder) const override;
+};
+
+defineTypeNameAndDebug(tableObserver, 0);
+addToRunTimeSelectionTable(observer, tableObserver, channel);
+
+} // End namespace Foam::misfit
 
 
 namespace
@@ -61,16 +93,16 @@ Foam::label column
 Foam::misfit::tableObserver::tableObserver(const channel& c)
 :
     observer(c),
-    function_(c.simulated().get<word>("function")),
-    file_(c.simulated().get<fileName>("file")),
-    x_(text(c.simulated(), "xColumn", "1")),
-    y_(text(c.simulated(), "column", "2")),
-    scale_(c.simulated().getOrDefault<scalar>("scale", 1)),
-    offset_(c.simulated().getOrDefault<scalar>("offset", 0))
+    function_(c.simulated.get<word>("function")),
+    file_(c.simulated.get<fileName>("file")),
+    x_(text(c.simulated, "xColumn", "1")),
+    y_(text(c.simulated, "column", "2")),
+    scale_(c.simulated.getOrDefault<scalar>("scale", 1)),
+    offset_(c.simulated.getOrDefault<scalar>("offset", 0))
 {
     keywords::check
     (
-        c.simulated(),
+        c.simulated,
         {"type", "function", "file", "xColumn", "column", "scale", "offset"}
     );
 }
@@ -85,7 +117,7 @@ Foam::misfit::tableObserver::read(const fileName& caseFolder) const
       ? writtenTable(caseFolder, function_, file_)
       : writtenTable
         (
-            nearestTimeFolder(caseFolder, function_, of().at())/file_
+            nearestTimeFolder(caseFolder, function_, of().at)/file_
         )
     );
 

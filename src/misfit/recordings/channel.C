@@ -20,87 +20,90 @@ const Foam::Enum<Foam::misfit::purpose> Foam::misfit::purposeNames
 namespace
 {
 
-Foam::scalar rangeOf(const Foam::scalarList& y)
+using namespace Foam;
+using namespace Foam::misfit;
+
+scalar rangeOf(const scalarList& y)
 {
     return
         *std::max_element(y.cbegin(), y.cend())
       - *std::min_element(y.cbegin(), y.cend());
 }
 
-} // End anonymous namespace
 
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::misfit::channel::cut(const dictionary& dict)
+//- Keeps what lies in the interval that counts
+void cut(channel& c, const dictionary& dict)
 {
     series kept;
-    forAll(recorded_.x, i)
+    forAll(c.recorded.x, i)
     {
-        const scalar x = recorded_.x[i];
-        if (x >= interval_.first() && x <= interval_.second())
+        const scalar x = c.recorded.x[i];
+        if (x >= c.interval.first() && x <= c.interval.second())
         {
             kept.x.append(x);
-            kept.y.append(recorded_.y[i]);
+            kept.y.append(c.recorded.y[i]);
         }
     }
 
     if (kept.x.size() < 3)
     {
         FatalIOErrorInFunction(dict)
-            << "The channel " << name_ << " has " << kept.x.size()
-            << " readings in the interval " << interval_ << "; it needs three."
-            << " The file covers " << recorded_.x.first() << " to "
-            << recorded_.x.last() << exit(FatalIOError);
+            << "The channel " << c.name << " has " << kept.x.size()
+            << " readings in the interval " << c.interval << "; it needs three."
+            << " The file covers " << c.recorded.x.first() << " to "
+            << c.recorded.x.last() << exit(FatalIOError);
     }
-    recorded_ = kept;
+    c.recorded = kept;
 }
 
 
-void Foam::misfit::channel::divide(const label n)
+//- Divides what was recorded into about n samples
+void takeSamples(channel& c, const label n)
 {
-    const scalarList& x = recorded_.x;
+    const scalarList& x = c.recorded.x;
     scalarList centre(x);
-    start_ = identity(x.size() + 1);
-    samples_.span = 0;
+    c.start = identity(x.size() + 1);
+    c.samples.span = 0;
     if (x.size() > n)
     {
-        start_.clear();
+        c.start.clear();
         centre.clear();
-        samples_.span = (x.last() - x.first())/n;
+        c.samples.span = (x.last() - x.first())/n;
         label i = 0;
         for (label k = 0; k < n; ++k)
         {
             const label first = i;
-            const scalar end = x.first() + (k + 1)*samples_.span;
+            const scalar end = x.first() + (k + 1)*c.samples.span;
             while (i < x.size() && (x[i] < end || k == n - 1))
             {
                 ++i;
             }
             if (i > first)
             {
-                start_.append(first);
-                centre.append(end - 0.5*samples_.span);
+                c.start.append(first);
+                centre.append(end - 0.5*c.samples.span);
             }
         }
-        start_.append(x.size());
+        c.start.append(x.size());
     }
 
-    samples_.size = centre.size();
-    samples_.x.resize(samples_.size);
-    samples_.readings.resize(samples_.size);
+    c.samples.size = centre.size();
+    c.samples.x.resize(c.samples.size);
+    c.samples.readings.resize(c.samples.size);
     forAll(centre, k)
     {
-        samples_.x[k] = centre[k];
-        samples_.readings[k] = start_[k+1] - start_[k];
+        c.samples.x[k] = centre[k];
+        c.samples.readings[k] = c.start[k+1] - c.start[k];
     }
 }
 
 
-void Foam::misfit::channel::estimateNoise(const bool memoryGiven)
+//- Raises the uncertainty to what the quiet time before the arrival shows, and finds the
+//  memory there
+void estimateNoise(channel& c, const bool memoryGiven)
 {
-    const scalarList& x = recorded_.x;
-    const scalarList& y = recorded_.y;
+    const scalarList& x = c.recorded.x;
+    const scalarList& y = c.recorded.y;
     const scalar range = rangeOf(y);
 
     // Quiet: until it first leaves a band of 5 % of the range
@@ -110,7 +113,7 @@ void Foam::misfit::channel::estimateNoise(const bool memoryGiven)
         ++quiet;
     }
     quiet = (4*quiet)/5;
-    if (!overTime() || quiet < 40)
+    if (!c.overTime() || quiet < 40)
     {
         return;
     }
@@ -128,53 +131,54 @@ void Foam::misfit::channel::estimateNoise(const bool memoryGiven)
         neighbours += i ? (y[i] - mean)*(y[i-1] - mean)/quiet : 0;
     }
 
-    samples_.uncertainty = max(samples_.uncertainty, Foam::sqrt(variance));
+    c.samples.uncertainty = max(c.samples.uncertainty, Foam::sqrt(variance));
 
     // A neighbour that is alike by less than chance would make it: white
     const scalar alike = variance > 0 ? neighbours/variance : 0;
     if (!memoryGiven && alike > 2/Foam::sqrt(scalar(quiet)))
     {
-        samples_.memory = -(x[1] - x[0])/std::log(min(alike, 0.999));
+        c.samples.memory = -(x[1] - x[0])/std::log(min(alike, 0.999));
     }
 }
 
 
-void Foam::misfit::channel::doubtUncertainty() const
+//- Warns where what was recorded does not change by more than it
+void doubtUncertainty(const channel& c)
 {
-    const scalarList& y = recorded_.y;
+    const scalarList& y = c.recorded.y;
     const scalar range = rangeOf(y);
-    if (y.size() > 1 && range <= samples_.uncertainty)
+    if (y.size() > 1 && range <= c.samples.uncertainty)
     {
         WarningInFunction
-            << "Channel " << name_ << " does not change by more than its uncertainty:"
+            << "Channel " << c.name << " does not change by more than its uncertainty:"
             << " its range is " << range << ", its uncertainty "
-            << samples_.uncertainty
+            << c.samples.uncertainty
             << " (SI), so it can say little. Is the sensor dead or dry, or the"
             << " uncertainty not in SI units?" << endl;
     }
 }
 
+} // End anonymous namespace
 
-// * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 Foam::misfit::channel::channel
 (
-    const word& name,
+    const word& itsName,
     const dictionary& dict,
-    const purpose use,
+    const purpose itsUse,
     const fileName& folder,
-    const label samples
+    const label nSamples
 )
 :
-    name_(name),
-    experiment_(dict.getOrDefault<word>("experiment", "A")),
-    purpose_(use),
-    at_(dict.getOrDefault<scalar>("at", dict.found("value") ? 0 : -1)),
-    interval_
+    name(itsName),
+    experiment(dict.getOrDefault<word>("experiment", "A")),
+    use(itsUse),
+    at(dict.getOrDefault<scalar>("at", dict.found("value") ? 0 : -1)),
+    interval
     (
         dict.getOrDefault("interval", Tuple2<scalar, scalar>(-GREAT, GREAT))
     ),
-    simulated_(dict.subDict("simulated"))
+    simulated(dict.subDict("simulated"))
 {
     keywords::check
     (
@@ -186,23 +190,23 @@ Foam::misfit::channel::channel
             "duplicates", "interval", "simulated"
         }
     );
-    const point place(dict.getOrDefault<point>("place", Zero));
-    statistics::segment& s = samples_;
+    const point where(dict.getOrDefault<point>("place", Zero));
+    statistics::segment& s = samples;
     s.name = name;
     s.quantity = dict.get<word>("quantity");
     s.recorder = dict.getOrDefault<word>("recorder", word());
-    s.overTime = at_ < 0;
+    s.overTime = at < 0;
     s.hasPlace = dict.found("place");
-    s.place << place.x(), place.y(), place.z();
+    s.place << where.x(), where.y(), where.z();
     s.uncertainty = dict.get<scalar>("uncertainty");
     s.memory = dict.getOrDefault<scalar>("memory", 0);
     s.gainUncertainty = dict.getOrDefault<scalar>("gainUncertainty", 0);
     s.zeroUncertainty = dict.getOrDefault<scalar>("zeroUncertainty", 0);
 
-    if (!findQuantity(quantity()))
+    if (!findQuantity(samples.quantity))
     {
         FatalIOErrorInFunction(dict)
-            << "The quantity " << quantity() << " of the channel " << name
+            << "The quantity " << samples.quantity << " of the channel " << name
             << " is not known. Valid quantities:"
             << keywords::listed(quantityNames()).c_str()
             << exit(FatalIOError);
@@ -217,37 +221,30 @@ Foam::misfit::channel::channel
 
     if (dict.found("value"))
     {
-        readNumber(dict);
+        readValue(dict);
+        takeSamples(*this, 1);
     }
     else if (dict.found("file"))
     {
-        readRecorded(dict, folder);
-        cut(dict);
-        divide(samples);
-        estimateNoise(dict.found("memory"));
-        doubtUncertainty();
+        readFile(dict, folder);
+        cut(*this, dict);
+        takeSamples(*this, nSamples);
+        estimateNoise(*this, dict.found("memory"));
+        doubtUncertainty(*this);
     }
 }
 
 
-// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
-
-Foam::scalarList Foam::misfit::channel::sampled(const series& simulated) const
+Foam::scalarList Foam::misfit::channel::sampled(const series& s) const
 {
-    scalarList means(samples_.size, 0.0);
+    scalarList means(samples.size, 0.0);
     forAll(means, k)
     {
-        for (label i = start_[k]; i < start_[k+1]; ++i)
+        for (label i = start[k]; i < start[k+1]; ++i)
         {
-            means[k] += simulated(recorded_.x[i]);
+            means[k] += s(recorded.x[i]);
         }
-        means[k] /= samples_.readings[k];
+        means[k] /= samples.readings[k];
     }
     return means;
-}
-
-
-Foam::scalarList Foam::misfit::channel::sampled() const
-{
-    return sampled(recorded_);
 }

@@ -13,20 +13,23 @@
 namespace
 {
 
+using namespace Foam;
+using namespace Foam::misfit;
+
 //- Number of the column that an entry names, as a word or in quotes
-Foam::label columnNumber
+label columnNumber
 (
-    const Foam::dictionary& dict,
-    const Foam::word& key,
-    const Foam::misfit::csvTable& table,
-    const Foam::label byDefault
+    const dictionary& dict,
+    const word& key,
+    const csvTable& table,
+    const label byDefault
 )
 {
     if (!dict.found(key))
     {
         return byDefault;
     }
-    const Foam::token name(dict.lookup(key));
+    const token name(dict.lookup(key));
     return table.find
     (
         name.isString() ? name.stringToken() : name.wordToken()
@@ -36,9 +39,8 @@ Foam::label columnNumber
 
 //- The name of a file with the variables of the environment in it put in; fatal
 //  where one is not set
-Foam::fileName expanded(const Foam::dictionary& dict, const Foam::fileName& name)
+fileName expanded(const dictionary& dict, const fileName& name)
 {
-    using namespace Foam;
     // One with a default, ${NAME:-folder}, need not be set
     const std::regex variable(R"(\$(?:(\w+)|\{(\w+)\}))");
     std::sregex_iterator found(name.begin(), name.end(), variable);
@@ -61,41 +63,37 @@ Foam::fileName expanded(const Foam::dictionary& dict, const Foam::fileName& name
 
 //- The unit of that name; fatal if it is none of the quantity. What is the
 //  subject of the sentence that says so
-const Foam::misfit::unit& checkedUnit
+const unit& checkedUnit
 (
-    const Foam::dictionary& dict,
-    const Foam::word& name,
-    const Foam::word& quantity,
-    const Foam::string& what
+    const dictionary& dict,
+    const word& name,
+    const word& quantity,
+    const string& what
 )
 {
-    using namespace Foam;
-    const dimensionSet& wanted = *misfit::findQuantity(quantity);
-    const misfit::unit* found = misfit::findUnit(name);
+    const dimensionSet& wanted = *findQuantity(quantity);
+    const unit* found = findUnit(name);
     if (!found || found->dimensions != wanted)
     {
         FatalIOErrorInFunction(dict)
             << what.c_str() << " is in " << name << ", which is no unit of "
             << quantity << ". Valid units:"
-            << keywords::listed(misfit::unitsOf(wanted)).c_str()
+            << keywords::listed(unitsOf(wanted)).c_str()
             << exit(FatalIOError);
     }
     return *found;
 }
 
-} // End anonymous namespace
 
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::scalarList Foam::misfit::channel::readColumn
+//- A column in SI units; fatal without the unit, or with another one
+scalarList readColumn
 (
     const dictionary& dict,
     const csvTable& table,
     const label column,
     const word& quantity,
     const word& prefix
-) const
+)
 {
     const string& header = table.names()[column];
     const word key(prefix.empty() ? "unit" : prefix + "Unit");
@@ -139,7 +137,61 @@ Foam::scalarList Foam::misfit::channel::readColumn
 }
 
 
-void Foam::misfit::channel::readRecorded
+//- Fatal unless x rises; may average readings at the same x
+series inOrder
+(
+    const dictionary& dict,
+    const csvTable& table,
+    const series& recorded
+)
+{
+    const word duplicates(dict.getOrDefault<word>("duplicates", "refuse"));
+    if (duplicates != "refuse" && duplicates != "average")
+    {
+        FatalIOErrorInFunction(dict)
+            << "duplicates is " << duplicates
+            << "; valid choices: refuse, average" << exit(FatalIOError);
+    }
+
+    series kept;
+    label n = 1;
+    forAll(recorded.x, i)
+    {
+        const scalar x = recorded.x[i];
+        if (i && x < recorded.x[i-1])
+        {
+            FatalIOErrorInFunction(dict)
+                << "Line " << table.line(i) << " of " << table.file()
+                << " goes back to " << x << " from " << recorded.x[i-1]
+                << ". Sort the file by its first column" << exit(FatalIOError);
+        }
+        if (!i || x > recorded.x[i-1])
+        {
+            kept.x.append(x);
+            kept.y.append(recorded.y[i]);
+            n = 1;
+        }
+        else if (duplicates == "average")
+        {
+            ++n;
+            kept.y.last() += (recorded.y[i] - kept.y.last())/n;
+        }
+        else
+        {
+            FatalIOErrorInFunction(dict)
+                << "Lines " << table.line(i-1) << " and " << table.line(i)
+                << " of " << table.file() << " are both at " << x
+                << ". Remove one, or have them averaged: duplicates average;"
+                << exit(FatalIOError);
+        }
+    }
+    return kept;
+}
+
+} // End anonymous namespace
+
+
+void Foam::misfit::channel::readFile
 (
     const dictionary& dict,
     const fileName& folder
@@ -160,82 +212,31 @@ void Foam::misfit::channel::readRecorded
             << exit(FatalIOError);
     }
 
-    recorded_.x =
+    recorded.x =
         readColumn(dict, table, xColumn, overTime() ? "time" : "length", "x");
-    recorded_.y = readColumn(dict, table, yColumn, quantity(), "");
-    source_ = table.file() + ':' + table.names()[yColumn];
-    checkOrder(dict, table);
+    recorded.y = readColumn(dict, table, yColumn, samples.quantity, "");
+    source = table.file() + ':' + table.names()[yColumn];
+    recorded = inOrder(dict, table, recorded);
 }
 
 
-void Foam::misfit::channel::readNumber(const dictionary& dict)
+void Foam::misfit::channel::readValue(const dictionary& dict)
 {
     if (dict.found("file") || !dict.found("unit"))
     {
         FatalIOErrorInFunction(dict)
-            << "The channel " << name_ << " has a value, a number alone. It"
-            << " needs its unit and no file. Units of " << quantity() << ":"
-            << keywords::listed(unitsOf(*findQuantity(quantity()))).c_str()
+            << "The channel " << name << " has a value, a number alone. It"
+            << " needs its unit and no file. Units of " << samples.quantity << ":"
+            << keywords::listed(unitsOf(*findQuantity(samples.quantity))).c_str()
             << exit(FatalIOError);
     }
     const scalar size =
         checkedUnit
         (
-            dict, dict.get<word>("unit"), quantity(),
-            "The value of the channel " + name_
+            dict, dict.get<word>("unit"), samples.quantity,
+            "The value of the channel " + name
         ).size;
-    recorded_.x = scalarList(1, scalar(0));
-    recorded_.y = scalarList(1, size*dict.get<scalar>("value"));
-    source_ = "the value of " + name_;
-    divide(1);
-}
-
-
-void Foam::misfit::channel::checkOrder
-(
-    const dictionary& dict,
-    const csvTable& table
-)
-{
-    const word duplicates(dict.getOrDefault<word>("duplicates", "refuse"));
-    if (duplicates != "refuse" && duplicates != "average")
-    {
-        FatalIOErrorInFunction(dict)
-            << "duplicates is " << duplicates
-            << "; valid choices: refuse, average" << exit(FatalIOError);
-    }
-
-    series kept;
-    label n = 1;
-    forAll(recorded_.x, i)
-    {
-        const scalar x = recorded_.x[i];
-        if (i && x < recorded_.x[i-1])
-        {
-            FatalIOErrorInFunction(dict)
-                << "Line " << table.line(i) << " of " << table.file()
-                << " goes back to " << x << " from " << recorded_.x[i-1]
-                << ". Sort the file by its first column" << exit(FatalIOError);
-        }
-        if (!i || x > recorded_.x[i-1])
-        {
-            kept.x.append(x);
-            kept.y.append(recorded_.y[i]);
-            n = 1;
-        }
-        else if (duplicates == "average")
-        {
-            ++n;
-            kept.y.last() += (recorded_.y[i] - kept.y.last())/n;
-        }
-        else
-        {
-            FatalIOErrorInFunction(dict)
-                << "Lines " << table.line(i-1) << " and " << table.line(i)
-                << " of " << table.file() << " are both at " << x
-                << ". Remove one, or have them averaged: duplicates average;"
-                << exit(FatalIOError);
-        }
-    }
-    recorded_ = kept;
+    recorded.x = scalarList(1, scalar(0));
+    recorded.y = scalarList(1, size*dict.get<scalar>("value"));
+    source = "the value of " + name;
 }

@@ -29,8 +29,8 @@ string sharedNumbers(const misfit::channel& a, const misfit::channel& b)
     {
         return "";
     }
-    const misfit::series& of = a.recorded();
-    const misfit::series& with = b.recorded();
+    const misfit::series& of = a.recorded;
+    const misfit::series& with = b.recorded;
 
     // By their numbers: the same file may have another name, or be a copy. Two
     // gauges that stay dry show the same
@@ -41,7 +41,7 @@ string sharedNumbers(const misfit::channel& a, const misfit::channel& b)
         return " are";
     }
     const bool overlap =
-        a.source() == b.source()
+        a.source == b.source
      && of.x.first() < with.x.last() && with.x.first() < of.x.last();
     return overlap ? " have some of" : "";
 }
@@ -135,10 +135,10 @@ void Foam::misfit::recordings::checkOnce(const dictionary& dict) const
 
             const string message
             (
-                "The channels " + b.name() + " and " + a.name() + shared
-              + " the same numbers, " + b.source() + " and " + a.source()
+                "The channels " + b.name + " and " + a.name + shared
+              + " the same numbers, " + b.source + " and " + a.source
             );
-            if (a.use() == purpose::calibration && b.use() == purpose::calibration)
+            if (a.use == purpose::calibration && b.use == purpose::calibration)
             {
                 WarningInFunction
                     << message.c_str() << ", which count twice now. Remove one, or"
@@ -181,15 +181,15 @@ Foam::misfit::recordings::recordings
         );
 
         channel& c = channels_.last();
-        if (!experiments_.found(c.experiment()))
+        if (!experiments_.found(c.experiment))
         {
             FatalIOErrorInFunction(e.dict())
-                << "The channel " << c.name() << " belongs to the experiment "
-                << c.experiment() << ", which is not there. Experiments:"
+                << "The channel " << c.name << " belongs to the experiment "
+                << c.experiment << ", which is not there. Experiments:"
                 << keywords::listed(experiments_).c_str() << exit(FatalIOError);
         }
         // A test channel stays one, whatever its experiment is for
-        c.use(std::max(use, this->use(c.experiment())));
+        c.use = std::max(use, this->use(c.experiment));
     }
     checkOnce(dict);
 }
@@ -229,7 +229,7 @@ Foam::labelList Foam::misfit::recordings::select
     forAll(channels_, i)
     {
         const channel& c = channels_[i];
-        if (c.isRecorded() && c.experiment() == experiment && c.use() == use)
+        if (c.isRecorded() && c.experiment == experiment && c.use == use)
         {
             chosen.append(i);
         }
@@ -245,15 +245,15 @@ void Foam::misfit::recordings::checkHeldOut(const dictionary& dict) const
         bool recorded = false;
         for (const channel& c : channels_)
         {
-            recorded = recorded || (c.experiment() == e && c.isRecorded());
+            recorded = recorded || (c.experiment == e && c.isRecorded());
             if
             (
-                c.experiment() == e && use(e) == purpose::calibration
-             && c.use() != purpose::calibration && !c.isRecorded()
+                c.experiment == e && use(e) == purpose::calibration
+             && c.use != purpose::calibration && !c.isRecorded()
             )
             {
                 FatalIOErrorInFunction(dict)
-                    << "heldOut names " << c.name() << ", which has no recording."
+                    << "heldOut names " << c.name << ", which has no recording."
                     << " Give it a file, or take it out of heldOut"
                     << exit(FatalIOError);
             }
@@ -279,7 +279,7 @@ void Foam::misfit::recordings::checkEnough
     label samples = 0;
     for (const channel& c : channels_)
     {
-        samples += c.use() == purpose::calibration ? c.samples().size : 0;
+        samples += c.use == purpose::calibration ? c.samples.size : 0;
     }
     if (!samples)
     {

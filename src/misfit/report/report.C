@@ -30,13 +30,13 @@ stringList experimentRow(const recordings& all, const word& name)
     wordHashSet files;
     for (const channel& c : all.channels())
     {
-        if (c.experiment() == name && c.isRecorded())
+        if (c.experiment == name && c.isRecorded())
         {
-            add(row[1 + label(c.use())], c.name());
-            const size_t end = c.source().rfind(':');
+            add(row[1 + label(c.use)], c.name);
+            const size_t end = c.source.rfind(':');
             const fileName file
             (
-                end == std::string::npos ? string() : c.source().substr(0, end)
+                end == std::string::npos ? string() : c.source.substr(0, end)
             );
             if (file.size() && files.insert(file.name()))
             {

@@ -2,15 +2,14 @@
 // Runs, each kept under the hash of its case, so that none is done twice.
 
 #include "runStore.H"
-#include "failureOf.H"
 #include "programFiles.H"
-#include "runEnd.H"
-#include "temporaryFolder.H"
 #include "textFile.H"
 
 #include "OSspecific.H"
 #include "SHA1.H"
 
+#include <algorithm>
+#include <cstdlib>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <thread>
@@ -20,9 +19,59 @@ namespace
 {
 
 using namespace Foam;
+using namespace Foam::misfit;
 
 //- In the folder of a run that is tried again: how it failed before
 const word failedBefore("failedBefore");
+
+
+//- How a run ended, by the file that etc/misfitRun writes then: "ok <seconds>", or "failed
+//  <seconds>", a line with the reason and the solver's words. Empty: it has not ended, or
+//  nobody knows how
+struct runEnd
+{
+    fileName file;
+
+    string said;
+
+
+    explicit runEnd(const fileName& run)
+    :
+        file(run/"finished"),
+        said(contentOf(file))
+    {}
+
+    bool isWell() const
+    {
+        return said.find("ok") == 0;
+    }
+
+    //- The line that says why it failed
+    string reason() const
+    {
+        const auto first = std::min(said.find('\n'), said.size() - 1) + 1;
+        return said.substr(first, said.find('\n', first) - first);
+    }
+
+    //- The limit that it did not keep [s]; -1: it did
+    scalar limit() const
+    {
+        const string words(" took longer than ");
+        const string why(reason());
+        const auto at = why.find(words);
+        return at == string::npos ? -1 : std::atof(why.c_str() + at + words.size());
+    }
+
+    //- It did not fail by itself: killed by somebody else, perhaps by a machine without
+    //  room, asked to stop, or out of time
+    bool isFromOutside() const
+    {
+        const string why(reason());
+        return
+            limit() >= 0 || why.find(" ended with 137") != string::npos
+         || why.find(" ended with 143") != string::npos;
+    }
+};
 
 
 //- True if one of the commands has that program
@@ -70,8 +119,8 @@ void Foam::misfit::runStore::prepare
     const runEnd end(target);
     const string failed
     (
-        end.isKnown() && !end.isFromOutside()
-      ? end.said() : contentOf(target/failedBefore)
+        end.said.size() && !end.isFromOutside()
+      ? end.said : contentOf(target/failedBefore)
     );
     if (isDir(target))
     {
@@ -133,7 +182,7 @@ void Foam::misfit::runStore::make(const wordHashSet& todo) const
     }
     for (const word& run : todo)
     {
-        if (!runEnd(folder_/run).isKnown())
+        if (runEnd(folder_/run).said.empty())
         {
             FatalErrorInFunction
                 << "It is not known how the run " << folder_/run << " ended: it"
@@ -213,9 +262,9 @@ bool Foam::misfit::runStore::isFinished(const wantedRun& run) const
 {
     const word its(name(run));
     const runEnd end(folder_/its);
-    if (!end.isKnown() || end.isWell() || tried_.found(its))
+    if (end.said.empty() || end.isWell() || tried_.found(its))
     {
-        return end.isKnown();
+        return end.said.size();
     }
     if (end.limit() >= 0)
     {
@@ -230,41 +279,23 @@ bool Foam::misfit::runStore::isFinished(const wantedRun& run) const
 
 Foam::string Foam::misfit::runStore::failure(const wantedRun& run) const
 {
-    return runEnd(folder_/name(run)).failure();
+    const runEnd end(folder_/name(run));
+    if (end.isWell())
+    {
+        return string();
+    }
+    const string words(end.said.substr(std::min(end.said.find('\n'), end.said.size())));
+    return
+        words.size()
+      ? words
+      : string("how it ended is not known: no reason stands in " + end.file);
 }
 
 
 Foam::scalar Foam::misfit::runStore::seconds(const wantedRun& run) const
 {
-    return runEnd(folder_/name(run)).seconds();
-}
-
-
-void Foam::misfit::runStore::rehearse(const List<wantedRun>& runs) const
-{
-    checkPrograms();
-    fileName here;
-    const string wrong
-    (
-        failureOf
-        (
-            [&]()
-            {
-                for (const wantedRun& run : runs)
-                {
-                    const temporaryFolder scratch;
-                    here = fileName(scratch)/"case";
-                    template_.link(here);
-                    run.change(here);
-                }
-            }
-        )
-    );
-    if (wrong.size())
-    {
-        FatalErrorInFunction
-            << template_.inIts(wrong, here).c_str() << exit(FatalError);
-    }
+    const string said(runEnd(folder_/name(run)).said);
+    return std::atof(said.c_str() + std::min(said.find(' '), said.size()));
 }
 
 

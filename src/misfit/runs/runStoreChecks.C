@@ -2,7 +2,9 @@
 // Runs, each kept under the hash of its case: what can be wrong before they are made.
 
 #include "runStore.H"
+#include "failureOf.H"
 #include "programFiles.H"
+#include "temporaryFolder.H"
 #include "textFile.H"
 
 #include "IFstream.H"
@@ -79,5 +81,33 @@ void Foam::misfit::runStore::checkCut() const
                 << dictName_ << " is " << ranks_ << ". Let them be the same, or"
                 << " remove the file: it is cut along x then" << exit(FatalError);
         }
+    }
+}
+
+
+void Foam::misfit::runStore::rehearse(const List<wantedRun>& runs) const
+{
+    checkPrograms();
+    fileName here;
+    const string wrong
+    (
+        failureOf
+        (
+            [&]()
+            {
+                for (const wantedRun& run : runs)
+                {
+                    const temporaryFolder scratch;
+                    here = fileName(scratch)/"case";
+                    template_.link(here);
+                    run.change(here);
+                }
+            }
+        )
+    );
+    if (wrong.size())
+    {
+        FatalErrorInFunction
+            << template_.inIts(wrong, here).c_str() << exit(FatalError);
     }
 }

@@ -83,7 +83,7 @@ Foam::dictionary Foam::misfit::solverPredictor::functions
     dictionary dict;
     for (const observer& o : observers_)
     {
-        if (o.of().experiment() == experiment)
+        if (o.of().experiment == experiment)
         {
             o.addTo(dict);
         }
@@ -137,30 +137,6 @@ bool Foam::misfit::solverPredictor::isBase(const runState& state) const
 }
 
 
-void Foam::misfit::solverPredictor::readChannel
-(
-    const observer& o,
-    const fileName& caseFolder,
-    const bool mustBeThere,
-    prediction& p,
-    const label i
-) const
-{
-    const auto readIt = [&]()
-    {
-        p.channels[i] = o.read(caseFolder);
-        p.failure = fault(o.of(), p.channels[i]);
-    };
-    if (mustBeThere)
-    {
-        readIt();
-        return;
-    }
-    const string failure(failureOf(readIt));
-    p.failure = failure.empty() ? p.failure : failure;
-}
-
-
 Foam::misfit::prediction Foam::misfit::solverPredictor::read
 (
     const runState& state,
@@ -173,9 +149,22 @@ Foam::misfit::prediction Foam::misfit::solverPredictor::read
     forAll(observers_, i)
     {
         const observer& o = observers_[i];
-        if (p.ok() && o.of().experiment() == state.experiment)
+        if (!p.ok() || o.of().experiment != state.experiment)
         {
-            readChannel(o, store_.caseOf(run), isBase(state), p, i);
+            continue;
+        }
+        const auto readIt = [&]()
+        {
+            p.channels[i] = o.read(store_.caseOf(run));
+            p.failure = fault(o.of(), p.channels[i]);
+        };
+        if (isBase(state))
+        {
+            readIt();
+        }
+        else if (const string failure(failureOf(readIt)); failure.size())
+        {
+            p.failure = failure;
         }
     }
     if (p.ok() && state.noting)

@@ -5,29 +5,103 @@
 #include "solverPredictor.H"
 #include "fileDictionary.H"
 #include "placesInMesh.H"
-#include "waterAtFirst.H"
 
 #include "OSspecific.H"
 #include "Time.H"
 
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
 
 namespace
 {
+
+using namespace Foam;
+using namespace Foam::misfit;
 
 //- A case that is read sets the precision of all new streams. With another one a
 //  second predictor of this program would give the same runs other names
 class keptPrecision
 {
-    const unsigned before_ = Foam::IOstream::defaultPrecision();
+    const unsigned before_ = IOstream::defaultPrecision();
 
 public:
 
     ~keptPrecision()
     {
-        Foam::IOstream::defaultPrecision(before_);
+        IOstream::defaultPrecision(before_);
     }
 };
+
+
+//- Share of the mesh that water filled in the first step, by the log of interFoam or
+//  interDEMFoam in the folder of a run [-]; -1 if no log tells it
+scalar waterAtFirst(const fileName& caseFolder)
+{
+    const std::string words("Phase-1 volume fraction = ");
+    for (const fileName& log : readDir(caseFolder, fileName::FILE))
+    {
+        if (log.compare(0, 4, "log.") != 0)
+        {
+            continue;
+        }
+        std::ifstream is(caseFolder/log);
+        for (std::string line; std::getline(is, line);)
+        {
+            if (line.compare(0, words.size(), words) == 0)
+            {
+                return std::atof(line.c_str() + words.size());
+            }
+        }
+    }
+    return -1;
+}
+
+
+//- The time until which a channel must be simulated [s]
+scalar needed(const channel& c)
+{
+    return
+        c.isRecorded() && c.overTime()
+      ? c.recorded.x.last() - 0.5*c.samples.span
+      : 0;
+}
+
+
+//- Empty, or which end of what was recorded a series does not reach
+string partNotCovered(const channel& c, const series& s)
+{
+    // A cell centre is up to half a cell from the wall, and the first reading over
+    // time stands after the first step. Single readings stand for as much as lies
+    // between them
+    const scalarList& x = c.recorded.x;
+    const label n = s.x.size();
+    const scalar lastStep = n > 1 ? s.x[n-1] - s.x[n-2] : 0;
+    const scalar firstStep = n > 1 ? s.x[1] - s.x[0] : 0;
+    const scalar firstSample =
+        c.overTime() && c.samples.span == 0 ? x[1] - x[0] : c.samples.span;
+
+    const scalar late = x.first() + max(0.5*firstSample, firstStep);
+    const scalar enough =
+        c.overTime() ? needed(c) : x.last() - max(0.5*c.samples.span, lastStep);
+
+    const string whatToDo(", or give the channel an interval");
+    if (s.x.first() > late)
+    {
+        return
+            "it begins at " + Foam::name(s.x.first()) + " and the channel "
+          + c.name + " was recorded from " + Foam::name(x.first())
+          + ": have it begin earlier" + whatToDo;
+    }
+    if (s.x.last() < enough)
+    {
+        return
+            "it ends at " + Foam::name(s.x.last()) + " and the channel "
+          + c.name + " was recorded until " + Foam::name(x.last())
+          + ": run longer" + whatToDo;
+    }
+    return "";
+}
 
 } // End anonymous namespace
 
@@ -65,7 +139,7 @@ void Foam::misfit::solverPredictor::checkPlacesIn
     UPtrList<observer> here;
     for (observer& o : observers_)
     {
-        if (o.of().experiment() == experiment)
+        if (o.of().experiment == experiment)
         {
             here.append(&o);
         }
@@ -110,15 +184,6 @@ void Foam::misfit::solverPredictor::checkWater
 }
 
 
-Foam::scalar Foam::misfit::solverPredictor::needed(const channel& c)
-{
-    return
-        c.isRecorded() && c.overTime()
-      ? c.recorded().x.last() - 0.5*c.samples().span
-      : 0;
-}
-
-
 void Foam::misfit::solverPredictor::checkEnd
 (
     const fileName& caseFolder,
@@ -139,14 +204,14 @@ void Foam::misfit::solverPredictor::checkEnd
     {
         if
         (
-            c.experiment() == experiment && endTime < needed(c)
+            c.experiment == experiment && endTime < needed(c)
          && endsTold_.insert(experiment)
         )
         {
             WarningInFunction
                 << "endTime of the experiment " << experiment << " is "
-                << endTime << " s, and its channel " << c.name()
-                << " was recorded until " << c.recorded().x.last()
+                << endTime << " s, and its channel " << c.name
+                << " was recorded until " << c.recorded.x.last()
                 << " s: run longer (system/controlDict, or changes of the"
                 << " experiment), or give the channel an interval" << endl;
         }
@@ -154,60 +219,21 @@ void Foam::misfit::solverPredictor::checkEnd
 }
 
 
-Foam::string Foam::misfit::solverPredictor::partNotCovered
+Foam::string Foam::misfit::solverPredictor::fault
 (
     const channel& c,
     const series& s
 )
 {
-    // A cell centre is up to half a cell from the wall, and the first reading over
-    // time stands after the first step. Single readings stand for as much as lies
-    // between them
-    const scalarList& x = c.recorded().x;
-    const label n = s.x.size();
-    const scalar lastStep = n > 1 ? s.x[n-1] - s.x[n-2] : 0;
-    const scalar firstStep = n > 1 ? s.x[1] - s.x[0] : 0;
-    const scalar firstSample =
-        c.overTime() && c.samples().span == 0 ? x[1] - x[0] : c.samples().span;
-
-    const scalar late = x.first() + max(0.5*firstSample, firstStep);
-    const scalar enough =
-        c.overTime() ? needed(c) : x.last() - max(0.5*c.samples().span, lastStep);
-
-    const string whatToDo(", or give the channel an interval");
-    if (s.x.first() > late)
-    {
-        return
-            "it begins at " + Foam::name(s.x.first()) + " and the channel "
-          + c.name() + " was recorded from " + Foam::name(x.first())
-          + ": have it begin earlier" + whatToDo;
-    }
-    if (s.x.last() < enough)
-    {
-        return
-            "it ends at " + Foam::name(s.x.last()) + " and the channel "
-          + c.name() + " was recorded until " + Foam::name(x.last())
-          + ": run longer" + whatToDo;
-    }
-    return "";
-}
-
-
-Foam::string Foam::misfit::solverPredictor::fault
-(
-    const channel& c,
-    const series& s
-) const
-{
     if (s.x.empty())
     {
-        return "it wrote nothing for the channel " + c.name();
+        return "it wrote nothing for the channel " + c.name;
     }
     for (const scalar value : s.y)
     {
         if (!std::isfinite(value) || mag(value) > 1e100)
         {
-            return "it gave no finite numbers for the channel " + c.name();
+            return "it gave no finite numbers for the channel " + c.name;
         }
     }
     if (!c.isRecorded())
@@ -238,7 +264,7 @@ Foam::misfit::solverPredictor::statesWithAllChanges
         states.append(base);
         states.last().resolution = finer;
     }
-    if (hasReplicates())
+    if (replicateChanges_.size())
     {
         states.append(base);
         states.last().replicate = 2;

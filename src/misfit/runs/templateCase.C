@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
+#include <iterator>
 
 namespace
 {
@@ -169,28 +169,21 @@ Foam::misfit::templateCase::templateCase
 void Foam::misfit::templateCase::checkUnchanged() const
 {
     const auto now(digests());
-    std::set<fileName> changed;
-    for (const auto* some : {&now, &digests_})
-    {
-        for (const auto& file : *some)
-        {
-            const auto a = now.find(file.first);
-            const auto b = digests_.find(file.first);
-            if (a == now.end() || b == digests_.end() || a->second != b->second)
-            {
-                changed.insert(file.first);
-            }
-        }
-    }
+    std::map<fileName, string> changed;
+    std::set_symmetric_difference
+    (
+        now.begin(), now.end(), digests_.begin(), digests_.end(),
+        std::inserter(changed, changed.end())
+    );
     if (changed.empty())
     {
         return;
     }
 
     string names;
-    for (const fileName& file : changed)
+    for (const auto& file : changed)
     {
-        names += "\n        " + folder_ + file;
+        names += "\n        " + folder_ + file.first;
     }
     FatalErrorInFunction
         << "The case was changed while misfitFoam worked with it. Changed, added or"
