@@ -206,7 +206,8 @@ Foam::misfit::channel::channel
     if (!findQuantity(samples.quantity))
     {
         FatalIOErrorInFunction(dict)
-            << "The quantity " << samples.quantity << " of the channel " << name
+            << "The quantity " << samples.quantity.c_str()
+            << " of the channel " << name
             << " is not known. Valid quantities:"
             << keywords::listed(quantityNames()).c_str()
             << exit(FatalIOError);

@@ -226,7 +226,7 @@ void Foam::misfit::channel::readValue(const dictionary& dict)
     {
         FatalIOErrorInFunction(dict)
             << "The channel " << name << " has a value, a number alone. It"
-            << " needs its unit and no file. Units of " << samples.quantity << ":"
+            << " needs its unit and no file. Units of " << samples.quantity.c_str() << ":"
             << keywords::listed(unitsOf(*findQuantity(samples.quantity))).c_str()
             << exit(FatalIOError);
     }
