@@ -27,12 +27,15 @@ Foam::misfit::detectability::sampled(const nlohmann::json& effect) const
     for (const segment& s : data().segments)
     {
         const nlohmann::json& given = effect.at(s.name);
-        const std::vector<scalar> t(given["t"]);
-        const std::vector<scalar> y(given["change"]);
-        const series change
-        (
-            scalarList(t.begin(), t.end()), scalarList(y.begin(), y.end())
-        );
+        series change;
+        for (const scalar t : given["t"])
+        {
+            change.x.append(t);
+        }
+        for (const scalar y : given["change"])
+        {
+            change.y.append(y);
+        }
         for (const channel& c : recorded_.channels())
         {
             if (c.name == s.name)

@@ -7,6 +7,7 @@
 #include "rankCorrelation.H"
 #include "tableColumns.H"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <stdexcept>
@@ -138,7 +139,9 @@ tableCheck::tableCheck(const dictionary& dict)
 
 wordList tableCheck::columns() const
 {
-    return wordList(law_.columns().begin(), law_.columns().end());
+    wordList names(law_.columns().size());
+    std::copy(law_.columns().begin(), law_.columns().end(), names.begin());
+    return names;
 }
 
 
