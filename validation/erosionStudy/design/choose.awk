@@ -40,10 +40,14 @@ function conditions(name,    n)
     return D "," n[3] "," n[4]/100
 }
 
-# The number behind a word of the name, or what the tutorial has
-function varied(name, word, byDefault, unit)
+# The number behind a word of the name
+function varied(name, word, unit)
 {
-    if (!match(name, "-" word "[0-9]+([.][0-9]+)?")) return byDefault
+    if (!match(name, "-" word "[0-9]+([.][0-9]+)?"))
+    {
+        print "choose: " name " does not name its " word > "/dev/stderr"
+        exit 1
+    }
     return substr(name, RSTART + length(word) + 1, RLENGTH - length(word) - 1)*unit
 }
 
@@ -61,9 +65,8 @@ isPaper {
 # Foot of the box: 0 where it is 0.5 m long, 1 where it is 0.5 m high
 {
     isFlume = $1 ~ /^flume/
-    parameters = varied($1, "viscosity", isFlume ? 1 : 100, 1) "," \
-        varied($1, "rolling", isFlume ? 0.1 : 0, 0.01) "," \
-        varied($1, "walls", isFlume ? 0.7 : 0.2, 0.01) "," ($1 ~ /-foot50/ ? 0 : 1)
+    parameters = varied($1, "viscosity", 1) "," varied($1, "rolling", 0.01) "," \
+        varied($1, "walls", 0.01) "," ($1 ~ /-foot50/ ? 0 : 1)
 }
 
 isFlume {
