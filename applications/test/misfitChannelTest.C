@@ -102,6 +102,14 @@ TEST(misfitChannel, aColumnIsFoundByItsNameWithOrWithoutUnit)
 }
 
 
+TEST(misfitChannel, aWholeNameGoesBeforeOneWithoutItsUnit)
+{
+    files f;
+    f.write("S1.csv", "t_s,p_Pa,p\n0,1,5\n1,2,6\n2,4,7\n");
+    EXPECT_EQ(make(f, "file \"S1.csv\"; column p; unit Pa;").recorded.y[0], 5);
+}
+
+
 TEST(misfitChannel, samplesAreMeansOfTheReadingsInThem)
 {
     std::string text("t_s,p_Pa\n");

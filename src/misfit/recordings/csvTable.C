@@ -105,11 +105,17 @@ Foam::misfit::csvTable::csvTable(const fileName& file)
 
 Foam::label Foam::misfit::csvTable::find(const string& name) const
 {
+    // A whole name goes before one of which it is but the part before the unit
+    const label whole = names_.find(name);
+    if (whole >= 0)
+    {
+        return whole;
+    }
     forAll(names_, i)
     {
         const std::string& full = names_[i];
         const auto end = full.find_first_of("_ [", name.size());
-        if (full == name || full.substr(0, end) == name)
+        if (full.substr(0, end) == name)
         {
             return i;
         }
