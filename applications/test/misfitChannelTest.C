@@ -110,6 +110,30 @@ TEST(misfitChannel, aWholeNameGoesBeforeOneWithoutItsUnit)
 }
 
 
+TEST(misfitChannel, aColumnIsFoundByItsNumberFromOne)
+{
+    files f;
+    f.write("S1.csv", "p_Pa,t_s,q_Pa\n5,0,1\n6,1,2\n7,2,4\n");
+    const channel c(make(f, "file \"S1.csv\"; xColumn 2; column 1;"));
+    EXPECT_EQ(c.recorded.x[2], 2);
+    EXPECT_EQ(c.recorded.y[2], 7);
+    for (const char* number : {"0", "4"})
+    {
+        const std::string said
+        (
+            refusal
+            (
+                [&]()
+                {
+                    make(f, std::string("file \"S1.csv\"; column ") + number + ';');
+                }
+            )
+        );
+        expectSays(said, std::string("no column \"") + number + "\", counted from 1");
+    }
+}
+
+
 TEST(misfitChannel, samplesAreMeansOfTheReadingsInThem)
 {
     std::string text("t_s,p_Pa\n");
@@ -240,7 +264,7 @@ TEST(misfitChannel, listsAreToldInPlainWords)
         refusalOf(good, "file \"S1.csv\"; column q;"),
         "Its columns: \"t_s\" \"p_Pa\""
     );
-    expectSays(refusalOf("t_s\n0\n1\n"), "one column only: \"t_s\"");
+    expectSays(refusalOf("t_s\n0\n1\n"), "no column \"2\", counted from 1. Its columns: \"t_s\"");
 }
 
 

@@ -75,9 +75,7 @@ TEST(misfitObservers, aProbeOutsideTheMeshIsRefused)
           + "; simulated { type probe; field p; }"
         );
         const channel c("S1", dictionary(is), purpose::calibration, "", 40);
-        PtrList<observer> observers;
-        observers.append(observer::New(c).ptr());
-        return refusal([&](){ checkPlaces(m.mesh(), observers); });
+        return refusal([&](){ checkPlaces(m.mesh(), {observer(c)}, "A"); });
     };
     EXPECT_EQ(probe("(0.5 0.5 0.5)"), "nothing");
     EXPECT_EQ(probe("(1 0.5 0.3)"), "nothing");
@@ -100,7 +98,7 @@ TEST(misfitObservers, aNumberAloneIsTheLastLineOfItsTable)
     (
         "depth", dictionary(is), purpose::calibration, c.folder(), 40
     );
-    const series s(observer::New(recorded)->read(c.folder()));
+    const series s(observer(recorded).read(c.folder()));
     EXPECT_NEAR(recorded.sampled(s)[0], 7, 1e-12);
     EXPECT_NEAR(recorded.sampled(recorded.recorded)[0], 0.003, 1e-12);
 }
@@ -128,7 +126,7 @@ TEST(misfitObservers, aProfileIsTheShareOfWaterInEachColumnOfCellsTimesTheHeight
         return channel("surface", dictionary(is), purpose::calibration, c.folder(), 40);
     };
     const channel recorded(profile("0.4"));
-    const series s(observer::New(recorded)->read(c.folder()));
+    const series s(observer(recorded).read(c.folder()));
     ASSERT_EQ(s.x.size(), 2);
     EXPECT_NEAR(s.x[0], 0.1, 1e-12);
     EXPECT_NEAR(s.y[0], 0.4*(8 + 0.25)/9, 1e-12);
@@ -137,7 +135,7 @@ TEST(misfitObservers, aProfileIsTheShareOfWaterInEachColumnOfCellsTimesTheHeight
 
     const std::string message
     (
-        refusal([&](){ observer::New(profile("0")); })
+        refusal([&](){ const channel low(profile("0")); observer o(low); })
     );
     EXPECT_NE(message.find("height"), std::string::npos) << message;
 }

@@ -6,12 +6,11 @@
 #include "OFstream.H"
 #include "OSspecific.H"
 #include "argList.H"
-#include "csvTable.H"
 #include "erosionByLaws.H"
 #include "keywords.H"
+#include "numberTable.H"
 #include "scalarField.H"
 #include "series.H"
-#include "writtenTable.H"
 
 using namespace Foam;
 
@@ -33,32 +32,12 @@ misfit::series readSeries(const dictionary& dict, const fileName& caseFolder)
 
     const string column(dict.get<string>("column"));
     const scalar factor = dict.lookupOrDefault<scalar>("factor", 1);
-    misfit::series result;
-
-    if (file.hasExt("csv"))
-    {
-        const misfit::csvTable table(file);
-        const scalarList& values = table.column(table.find(column));
-        result = misfit::series(table.column(0), factor*scalarField(values));
-    }
-    else
-    {
-        const misfit::writtenTable table(file);
-        const label i = table.find(column);
-        forAll(table.rows(), row)
-        {
-            result.x.append(table.value(row, 0));
-            result.y.append(factor*table.value(row, i));
-        }
-    }
-
-    if (result.x.empty())
-    {
-        FatalIOErrorInFunction(dict)
-            << "There are no numbers in " << file << exit(FatalIOError);
-    }
-
-    return result;
+    const misfit::numberTable table
+    (
+        file.hasExt("csv") ? misfit::csvTable(file) : misfit::writtenTable(file)
+    );
+    const scalarField values(table.column(table.find(column)));
+    return misfit::series(table.column(0), factor*values);
 }
 
 

@@ -2,8 +2,8 @@
 // Chooses parameters of a case by response surfaces fitted to runs that are done.
 
 #include "calibration.H"
-#include "csvTable.H"
 #include "keywords.H"
+#include "numberTable.H"
 #include "statisticsNames.H"
 
 #include "argList.H"
@@ -57,13 +57,13 @@ freeParameter readParameter(const word& name, const dictionary& dict)
 
 
 //- Columns of a table, a row of the matrix for each
-mat columns(const csvTable& table, const wordList& names)
+mat columns(const numberTable& table, const wordList& names)
 {
-    const label n = table.column(0).size();
+    const label n = table.rows.size();
     mat result(names.size(), n);
     forAll(names, i)
     {
-        const scalarList& column = table.column(table.find(names[i]));
+        const scalarList column = table.column(table.find(names[i]));
         result.row(i) = Eigen::Map<const vec>(column.cdata(), n).transpose();
     }
     return result;
@@ -150,7 +150,7 @@ public:
 
     void makeSurface
     (
-        const csvTable& runs,
+        const numberTable& runs,
         const std::vector<freeParameter>& parameters,
         const dictionary& dict
     )
@@ -160,11 +160,11 @@ public:
         {
             names.append(p.name);
         }
-        nRuns = runs.column(0).size();
+        nRuns = runs.rows.size();
         if (nRuns <= names.size())
         {
             FatalIOErrorInFunction(dict)
-                << name << ": " << nRuns << " runs in " << runs.file()
+                << name << ": " << nRuns << " runs in " << runs.file
                 << " do not tell " << names.size() << " variables apart: one more than"
                 << " variables at least" << exit(FatalIOError);
         }
@@ -177,7 +177,7 @@ public:
     }
 
 
-    void readTargets(const csvTable& table)
+    void readTargets(const numberTable& table)
     {
         const mat under = columns(table, conditions);
         const mat wanted = columns(table, quantities);
@@ -189,7 +189,7 @@ public:
                 if (wanted(q, i) == 0)
                 {
                     FatalErrorInFunction
-                        << "The target of " << quantities[q] << " in " << table.file()
+                        << "The target of " << quantities[q] << " in " << table.file
                         << " is 0, and its deviation, a fraction of it, would be 0,"
                         << " too. Give a small value instead, and in deviations its"
                         << " standard deviation as a multiple of that value"

@@ -52,7 +52,7 @@ static string fault
 )
 {
     OStringStream os;
-    if (o.patches().empty())
+    if (o.patches.empty())
     {
         if (!isInside(mesh, p))
         {
@@ -60,7 +60,7 @@ static string fault
         }
         return os.str();
     }
-    const word name(o.patches().first());
+    const word name(o.patches.first());
     const labelList on(mesh.boundaryMesh().indices(name));
     if (on.empty())
     {
@@ -81,18 +81,23 @@ static string fault
 void Foam::misfit::checkPlaces
 (
     const polyMesh& mesh,
-    const UPtrList<observer>& observers
+    const std::vector<observer>& observers,
+    const word& experiment
 )
 {
     OStringStream wrong;
     for (const observer& o : observers)
     {
-        for (const point& p : o.places())
+        if (o.of.experiment != experiment)
+        {
+            continue;
+        }
+        for (const point& p : o.places)
         {
             const string said(fault(mesh, o, p));
             if (said.size())
             {
-                wrong << "\n    " << o.of().name << " at " << p << ' '
+                wrong << "\n    " << o.of.name << " at " << p << ' '
                     << said.c_str();
                 break;
             }

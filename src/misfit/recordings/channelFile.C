@@ -2,9 +2,8 @@
 // One recorded series: its file, or its value, in SI units.
 
 #include "channel.H"
-#include "csvTable.H"
 #include "keywords.H"
-#include "quoted.H"
+#include "numberTable.H"
 #include "OSspecific.H"
 #include "units.H"
 
@@ -15,27 +14,6 @@ namespace
 
 using namespace Foam;
 using namespace Foam::misfit;
-
-//- Number of the column that an entry names, as a word or in quotes
-label columnNumber
-(
-    const dictionary& dict,
-    const word& key,
-    const csvTable& table,
-    const label byDefault
-)
-{
-    if (!dict.found(key))
-    {
-        return byDefault;
-    }
-    const token name(dict.lookup(key));
-    return table.find
-    (
-        name.isString() ? name.stringToken() : name.wordToken()
-    );
-}
-
 
 //- The name of a file with the variables of the environment in it put in; fatal
 //  where one is not set
@@ -89,13 +67,13 @@ const unit& checkedUnit
 scalarList readColumn
 (
     const dictionary& dict,
-    const csvTable& table,
+    const numberTable& table,
     const label column,
     const word& quantity,
     const word& prefix
 )
 {
-    const string& header = table.names()[column];
+    const string& header = table.names[column];
     const word key(prefix.empty() ? "unit" : prefix + "Unit");
     const word written(unitInName(header));
     const word name(dict.getOrDefault<word>(key, written));
@@ -103,7 +81,7 @@ scalarList readColumn
     if (name.empty())
     {
         FatalIOErrorInFunction(dict)
-            << "The column \"" << header.c_str() << "\" of " << table.file()
+            << "The column \"" << header.c_str() << "\" of " << table.file
             << " has no known unit. Name it as "
             << (quantity == "time" ? "t_s or \"t [s]\"" : "p_Pa or \"p [Pa]\"")
             << " in the file, or give " << key << " here. Units of " << quantity << ":"
@@ -113,7 +91,7 @@ scalarList readColumn
     if (!written.empty() && written != name)
     {
         FatalIOErrorInFunction(dict)
-            << "The column \"" << header.c_str() << "\" of " << table.file()
+            << "The column \"" << header.c_str() << "\" of " << table.file
             << " is in " << written << ", but " << key << " says " << name
             << ". Remove one of them" << exit(FatalIOError);
     }
@@ -122,7 +100,7 @@ scalarList readColumn
         checkedUnit
         (
             dict, name, quantity,
-            "The column \"" + header + "\" of " + table.file()
+            "The column \"" + header + "\" of " + table.file
         ).size
        *dict.getOrDefault<scalar>(prefix.empty() ? "scale" : prefix + "Scale", 1);
     const scalar offset =
@@ -141,7 +119,7 @@ scalarList readColumn
 series inOrder
 (
     const dictionary& dict,
-    const csvTable& table,
+    const numberTable& table,
     const series& recorded
 )
 {
@@ -161,7 +139,7 @@ series inOrder
         if (i && x < recorded.x[i-1])
         {
             FatalIOErrorInFunction(dict)
-                << "Line " << table.line(i) << " of " << table.file()
+                << "Line " << table.lines[i] << " of " << table.file
                 << " goes back to " << x << " from " << recorded.x[i-1]
                 << ". Sort the file by its first column" << exit(FatalIOError);
         }
@@ -179,8 +157,8 @@ series inOrder
         else
         {
             FatalIOErrorInFunction(dict)
-                << "Lines " << table.line(i-1) << " and " << table.line(i)
-                << " of " << table.file() << " are both at " << x
+                << "Lines " << table.lines[i-1] << " and " << table.lines[i]
+                << " of " << table.file << " are both at " << x
                 << ". Remove one, or have them averaged: duplicates average;"
                 << exit(FatalIOError);
         }
@@ -198,24 +176,15 @@ void Foam::misfit::channel::readFile
 )
 {
     const fileName file(expanded(dict, dict.get<fileName>("file")));
-    const csvTable table(file.isAbsolute() ? file : folder/file);
+    const numberTable table(csvTable(file.isAbsolute() ? file : folder/file));
 
-    const label yColumn = columnNumber(dict, "column", table, 1);
-    const label xColumn = columnNumber(dict, "xColumn", table, 0);
-
-    if (yColumn >= table.names().size())
-    {
-        FatalIOErrorInFunction(dict)
-            << "The file " << table.file() << " has one column only:"
-            << quoted(table.names()).c_str()
-            << ". It needs one of time and one of values"
-            << exit(FatalIOError);
-    }
+    const label yColumn = table.find(columnIn(dict, "column", "2"));
+    const label xColumn = table.find(columnIn(dict, "xColumn", "1"));
 
     recorded.x =
         readColumn(dict, table, xColumn, overTime() ? "time" : "length", "x");
     recorded.y = readColumn(dict, table, yColumn, samples.quantity, "");
-    source = table.file() + ':' + table.names()[yColumn];
+    source = table.file + ':' + table.names[yColumn];
     recorded = inOrder(dict, table, recorded);
 }
 

@@ -4,12 +4,13 @@
 
 #include "correction.H"
 #include "keywords.H"
-#include "writtenTable.H"
+#include "numberTable.H"
 
 #include "OSspecific.H"
 #include "StringStream.H"
 
 #include <cmath>
+#include <numeric>
 
 namespace
 {
@@ -311,32 +312,32 @@ Foam::misfit::correction::met(const fileName& caseFolder) const
 
         // Time share U depth voidFraction rho nu g: means over the steps, by their
         // share
-        const writtenTable table
+        const numberTable table
         (
-            caseFolder, e.name, "localisedMomentumSource.dat"
+            writtenTable(caseFolder, e.name, "localisedMomentumSource.dat")
         );
+        const scalarList time(table.column(0));
+        const scalarList share(table.column(1));
         conditions mean;
-        mean.voidFraction = 0;
-        const List<scalar*> column
+        const List<scalar*> means
         ({
             &mean.velocity, &mean.depth, &mean.voidFraction, &mean.density,
             &mean.viscosity, &mean.gravity
         });
-        scalar sum = 0;
-        for (label row = 1; row < table.rows().size(); ++row)
+        scalarList weight(time.size(), Zero);
+        for (label row = 1; row < time.size(); ++row)
         {
-            const scalar weight =
-                table.value(row, 1)
-               *(table.value(row, 0) - table.value(row - 1, 0));
-            sum += weight;
-            forAll(column, i)
-            {
-                *column[i] += weight*table.value(row, 2 + i);
-            }
+            weight[row] = share[row]*(time[row] - time[row - 1]);
         }
-        for (scalar* value : column)
+        const scalar sum = std::accumulate(weight.cbegin(), weight.cend(), scalar(0));
+        forAll(means, i)
         {
-            *value /= max(sum, VSMALL);
+            const scalarList values(table.column(2 + i));
+            *means[i] =
+                std::inner_product
+                (
+                    weight.cbegin(), weight.cend(), values.cbegin(), scalar(0)
+                )/max(sum, VSMALL);
         }
         all.insert(e.name, sum > 0 ? mean : conditions());
     }

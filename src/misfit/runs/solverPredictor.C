@@ -83,9 +83,9 @@ Foam::dictionary Foam::misfit::solverPredictor::functions
     dictionary dict;
     for (const observer& o : observers_)
     {
-        if (o.of().experiment == experiment)
+        if (o.of.experiment == experiment && o.measured.size())
         {
-            o.addTo(dict);
+            dict.add(o.of.name, o.measured);
         }
     }
     return dict;
@@ -146,17 +146,17 @@ Foam::misfit::prediction Foam::misfit::solverPredictor::read
     prediction p;
     p.failure = store_.failure(run);
     p.channels.setSize(observers_.size());
-    forAll(observers_, i)
+    forAll(p.channels, i)
     {
         const observer& o = observers_[i];
-        if (!p.ok() || o.of().experiment != state.experiment)
+        if (!p.ok() || o.of.experiment != state.experiment)
         {
             continue;
         }
         const auto readIt = [&]()
         {
             p.channels[i] = o.read(store_.caseOf(run));
-            p.failure = fault(o.of(), p.channels[i]);
+            p.failure = fault(o.of, p.channels[i]);
         };
         if (isBase(state))
         {
@@ -214,7 +214,7 @@ Foam::misfit::solverPredictor::solverPredictor
 
     for (const channel& c : recorded.channels())
     {
-        observers_.append(observer::New(c).ptr());
+        observers_.emplace_back(c);
     }
     checkPlacesIn(templateCase, recorded.experiments(purpose::calibration).first());
 }

@@ -136,15 +136,7 @@ void Foam::misfit::solverPredictor::checkPlacesIn
             IOobject::MUST_READ
         )
     );
-    UPtrList<observer> here;
-    for (observer& o : observers_)
-    {
-        if (o.of().experiment == experiment)
-        {
-            here.append(&o);
-        }
-    }
-    checkPlaces(mesh, here);
+    checkPlaces(mesh, observers_, experiment);
 }
 
 
