@@ -29,8 +29,8 @@ TEST(misfitChanges, anEntryIsChangedAndIncludesStay)
     change("file \"system/controlDict\"; entry endTime; scale 2; offset 1;")
         .apply(c.folder(), 3);
     const std::string text(contentOf(c.folder()/"system/controlDict"));
-    EXPECT_NE(text.find("#include"), std::string::npos) << text;
-    EXPECT_NE(text.find("\"more\""), std::string::npos) << text;
+    expectSays(text, "#include");
+    expectSays(text, "\"more\"");
 
     IFstream is(c.folder()/"system/controlDict");
     const dictionary dict(is);
@@ -58,19 +58,7 @@ TEST(misfitChanges, whatIsNotThereCannotBeChanged)
     {
         return refusal([&](){ change(text).apply(c.folder(), 1); });
     };
-    EXPECT_NE
-    (
-        said("file \"constant/model\"; entry \"a/slop\";").find("add true"),
-        std::string::npos
-    );
-    EXPECT_NE
-    (
-        said("file \"constant/none\"; entry x;").find("has no file"),
-        std::string::npos
-    );
-    EXPECT_NE
-    (
-        said("file \"constant/script\"; variable nu;").find("0 lines"),
-        std::string::npos
-    );
+    expectSays(said("file \"constant/model\"; entry \"a/slop\";"), "add true");
+    expectSays(said("file \"constant/none\"; entry x;"), "has no file");
+    expectSays(said("file \"constant/script\"; variable nu;"), "0 lines");
 }

@@ -2,13 +2,12 @@
 // The free correction as entries of a case, and what is read back.
 
 #include "correction.H"
-#include "temporaryFolder.H"
+#include "recordedFiles.H"
 
 #include "IStringStream.H"
 #include "dictionary.H"
 #include "IFstream.H"
 
-#include <fstream>
 #include <gtest/gtest.h>
 
 using namespace Foam;
@@ -25,30 +24,30 @@ dictionary entries(const string& text)
 
 //- A case with a drag law and nothing else
 struct emptyCase
+:
+    recorded::files
 {
-    const temporaryFolder scratch;
-
-    const fileName folder = scratch;
-
     emptyCase()
     {
-        mkDir(folder/"constant");
-        mkDir(folder/"system");
-        std::ofstream(folder/"constant/granularProperties")
-            << "interphaseForces { drag { model Gidaspow; } }\n";
+        mkDir(folder()/"constant");
+        mkDir(folder()/"system");
+        write
+        (
+            "constant/granularProperties",
+            "interphaseForces { drag { model Gidaspow; } }\n"
+        );
     }
 
     dictionary read(const fileName& file) const
     {
-        IFstream is(folder/file);
-        return dictionary(is);
+        return dictionary(IFstream(folder()/file)());
     }
 
     void apply(const List<caseChange>& changes) const
     {
         for (const caseChange& c : changes)
         {
-            c.apply(folder, 0);
+            c.apply(folder(), 0);
         }
     }
 };
@@ -64,15 +63,7 @@ const string drags
 
 std::string errorOf(const string& text)
 {
-    try
-    {
-        correction(entries("correction { " + text + " }"));
-    }
-    catch (const Foam::error& problem)
-    {
-        return problem.message();
-    }
-    return "";
+    return refusal([&]() { correction(entries("correction { " + text + " }")); });
 }
 
 } // End anonymous namespace
@@ -107,7 +98,7 @@ TEST(misfitCorrection, isWrittenIntoACaseAsEntriesThatMayBeNew)
     HashTable<scalar> strengths;
     strengths.insert("push1_2", -35);
     strengths.insert("drag2_1", 0.25);
-    at.apply(c.changes(strengths, false, at.folder));
+    at.apply(c.changes(strengths, false, at.folder()));
 
     const dictionary options(at.read("constant/fvOptions"));
     EXPECT_FALSE(options.found("push1_1"));
@@ -135,31 +126,33 @@ TEST(misfitCorrection, isWrittenIntoACaseAsEntriesThatMayBeNew)
 TEST(misfitCorrection, joinsTheOptionsThatACaseHas)
 {
     emptyCase at;
-    std::ofstream(at.folder/"system/fvOptions") << "walls { width 1; }\n";
+    at.write("system/fvOptions", "walls { width 1; }\n");
     const correction c(entries("correction { " + pushes + " }"));
-    at.apply(c.changes({}, true, at.folder));
+    at.apply(c.changes({}, true, at.folder()));
 
     const dictionary options(at.read("system/fvOptions"));
     EXPECT_TRUE(options.found("walls"));
     EXPECT_EQ(options.size(), 7);
     EXPECT_EQ(options.subDict("push3_2").get<scalar>("force"), 0);
-    EXPECT_FALSE(isFile(at.folder/"constant/fvOptions"));
+    EXPECT_FALSE(isFile(at.folder()/"constant/fvOptions"));
 }
 
 
 TEST(misfitCorrection, readsWhatWaterWasMet)
 {
     emptyCase at;
-    const fileName folder(at.folder/"postProcessing/push1_1/0");
-    mkDir(folder);
-    std::ofstream(folder/"localisedMomentumSource.dat")
-        << "# Time share U depth voidFraction rho nu g\n"
-        << "0.1 0 9 9 0.9 1100 9 9.81\n0.2 1 2 0.1 0.6 1100 1e-3 9.81\n"
-        << "0.4 0.5 4 0.3 0.6 1100 3e-3 9.81\n0.5 0 9 9 0.9 1100 9 9.81\n";
+    mkDir(at.folder()/"postProcessing/push1_1/0");
+    at.write
+    (
+        "postProcessing/push1_1/0/localisedMomentumSource.dat",
+        "# Time share U depth voidFraction rho nu g\n"
+        "0.1 0 9 9 0.9 1100 9 9.81\n0.2 1 2 0.1 0.6 1100 1e-3 9.81\n"
+        "0.4 0.5 4 0.3 0.6 1100 3e-3 9.81\n0.5 0 9 9 0.9 1100 9 9.81\n"
+    );
 
     const HashTable<conditions> met
     (
-        correction(entries("correction { " + pushes + " }")).met(at.folder)
+        correction(entries("correction { " + pushes + " }")).met(at.folder())
     );
     ASSERT_EQ(met.size(), 1);
     EXPECT_NEAR(met["push1_1"].velocity, 3, 1e-12);
@@ -173,34 +166,22 @@ TEST(misfitCorrection, readsWhatWaterWasMet)
 
 TEST(misfitCorrection, badInputIsToldWithWhatToDo)
 {
-    EXPECT_NE
+    expectSays
     (
-        errorOf("push { stations (2 1); times (1 2); size 1; }").find
-        (
-            "stations 2(2 1) of the correction must rise"
-        ),
-        std::string::npos
-    ) << errorOf("push { stations (2 1); times (1 2); size 1; }");
-    EXPECT_NE
-    (
-        errorOf("push { stations (1); times (1 2); size 1; }").find("reach"),
-        std::string::npos
+        errorOf("push { stations (2 1); times (1 2); size 1; }"),
+        "stations 2(2 1) of the correction must rise"
     );
-    EXPECT_NE
+    expectSays(errorOf("push { stations (1); times (1 2); size 1; }"), "reach");
+    for
     (
-        errorOf("push { stations (1 2); times (1 2); size 0; }").find
-        (
-            "must be above zero"
-        ),
-        std::string::npos
-    );
-    EXPECT_NE
-    (
-        errorOf("drag { voidFraction (0 1); Reynolds (1); size 1; }").find
-        (
-            "must be above zero"
-        ),
-        std::string::npos
-    );
-    EXPECT_NE(errorOf("pull { }").find("pull"), std::string::npos);
+        const char* low :
+        {
+            "push { stations (1 2); times (1 2); size 0; }",
+            "drag { voidFraction (0 1); Reynolds (1); size 1; }"
+        }
+    )
+    {
+        expectSays(errorOf(low), "must be above zero");
+    }
+    expectSays(errorOf("pull { }"), "pull");
 }
