@@ -237,11 +237,18 @@ TEST(misfitObservers, whatIsFinishedIsReadWithoutItsPrograms)
 
 TEST(misfitObservers, aRehearsalLeavesTheCaseAsItIs)
 {
+    // Both of its files U are 0/U in a run
     const fakeCase c;
+    mkDir(c.folder()/"0");
+    c.write("0/U", "other");
     const auto all = [&c]()
     {
         std::string text;
-        for (const char* f : {"constant/model", "constant/script", "system/controlDict"})
+        for
+        (
+            const char* f :
+            {"0.orig/U", "constant/model", "constant/script", "system/controlDict"}
+        )
         {
             text += contentOf(c.folder()/f);
         }
@@ -251,7 +258,7 @@ TEST(misfitObservers, aRehearsalLeavesTheCaseAsItIs)
     fakePredictor p
     (
         c,
-        "experiments { A { use calibration; changes ("
+        "files (\"0\"); experiments { A { use calibration; changes ("
         " { file \"constant/script\"; variable mu; value 0.3; } ); } }"
     );
     p.predict.predict({withSlope(2)});

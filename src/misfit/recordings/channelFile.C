@@ -77,12 +77,12 @@ scalarList readColumn
     const word key(prefix.empty() ? "unit" : prefix + "Unit");
     const word written(unitInName(header));
     const word name(dict.getOrDefault<word>(key, written));
+    const string what("The column \"" + header + "\" of " + table.file);
 
     if (name.empty())
     {
         FatalIOErrorInFunction(dict)
-            << "The column \"" << header.c_str() << "\" of " << table.file
-            << " has no known unit. Name it as "
+            << what.c_str() << " has no known unit. Name it as "
             << (quantity == "time" ? "t_s or \"t [s]\"" : "p_Pa or \"p [Pa]\"")
             << " in the file, or give " << key << " here. Units of " << quantity << ":"
             << keywords::listed(unitsOf(*findQuantity(quantity))).c_str()
@@ -91,17 +91,12 @@ scalarList readColumn
     if (!written.empty() && written != name)
     {
         FatalIOErrorInFunction(dict)
-            << "The column \"" << header.c_str() << "\" of " << table.file
-            << " is in " << written << ", but " << key << " says " << name
+            << what.c_str() << " is in " << written << ", but " << key << " says " << name
             << ". Remove one of them" << exit(FatalIOError);
     }
 
     const scalar scale =
-        checkedUnit
-        (
-            dict, name, quantity,
-            "The column \"" + header + "\" of " + table.file
-        ).size
+        checkedUnit(dict, name, quantity, what).size
        *dict.getOrDefault<scalar>(prefix.empty() ? "scale" : prefix + "Scale", 1);
     const scalar offset =
         dict.getOrDefault<scalar>(prefix.empty() ? "offset" : prefix + "Offset", 0);
@@ -123,13 +118,14 @@ series inOrder
     const series& recorded
 )
 {
-    const word duplicates(dict.getOrDefault<word>("duplicates", "refuse"));
-    if (duplicates != "refuse" && duplicates != "average")
-    {
-        FatalIOErrorInFunction(dict)
-            << "duplicates is " << duplicates
-            << "; valid choices: refuse, average" << exit(FatalIOError);
-    }
+    const word duplicates
+    (
+        keywords::choice
+        (
+            dict, "duplicates", "way with readings at one time",
+            wordList({"refuse", "average"}), "refuse"
+        )
+    );
 
     series kept;
     label n = 1;

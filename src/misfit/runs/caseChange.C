@@ -45,7 +45,7 @@ void Foam::misfit::caseChange::applyToDictionary
 ) const
 {
     fileDictionary file(path);
-    dictionary* dict = &file.content();
+    dictionary* dict = &file.content;
 
     const fileName name(name_);
     const wordList parts(name.components());

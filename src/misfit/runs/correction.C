@@ -78,6 +78,19 @@ scalar sizeOf(const dictionary& dict)
 }
 
 
+//- Numbers in brackets, after a blank
+string inBrackets(const scalarList& numbers)
+{
+    OStringStream os;
+    os.precision(10);
+    for (const scalar number : numbers)
+    {
+        os << ' ' << number;
+    }
+    return " (" + os.str() + " )";
+}
+
+
 word numbered(const word& family, const label i, const label j)
 {
     return family + Foam::name(i + 1) + '_' + Foam::name(j + 1);
@@ -204,30 +217,19 @@ Foam::string Foam::misfit::correction::drag
     const HashTable<scalar>& strengths
 ) const
 {
-    OStringStream os;
-    os.precision(10);
-    os << "{ voidFraction (";
-    for (const scalar e : voidFractions_)
-    {
-        os << ' ' << e;
-    }
-    os << " ); Reynolds (";
-    for (const scalar Re : Reynolds_)
-    {
-        os << ' ' << Re;
-    }
-    os << " ); logarithm (";
+    string rows;
+    scalarList row(Reynolds_.size());
     forAll(voidFractions_, i)
     {
-        os << " (";
-        forAll(Reynolds_, j)
+        forAll(row, j)
         {
-            os << ' ' << strengths.lookup(numbered("drag", i, j), 0);
+            row[j] = strengths.lookup(numbered("drag", i, j), 0);
         }
-        os << " )";
+        rows += inBrackets(row);
     }
-    os << " ); }";
-    return os.str();
+    return
+        "{ voidFraction" + inBrackets(voidFractions_) + "; Reynolds"
+      + inBrackets(Reynolds_) + "; logarithm (" + rows + " ); }";
 }
 
 

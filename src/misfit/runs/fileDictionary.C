@@ -32,14 +32,14 @@ public:
 } // End anonymous namespace
 
 
-Foam::misfit::fileDictionary::fileDictionary(const fileName& path)
+Foam::misfit::fileDictionary::fileDictionary(const fileName& file)
 :
-    path_(path)
+    path(file)
 {
     const asTheyStand keep;
     IFstream is(path);
-    content_.name() = path;
-    content_.read(is, true);
+    content.name() = path;
+    content.read(is, true);
 }
 
 
@@ -56,6 +56,6 @@ void Foam::misfit::fileDictionary::write() const
     // A copy may share the file by a link: it is replaced, never written into
     OStringStream os;
     os.precision(12);
-    content_.write(os, false);
-    writeWhole(path_, os.str());
+    content.write(os, false);
+    writeWhole(path, os.str());
 }

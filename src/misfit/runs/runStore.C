@@ -77,14 +77,11 @@ struct runEnd
 //- True if one of the commands has that program
 bool has(const stringList& commands, const char* program)
 {
-    for (const string& c : commands)
-    {
-        if (c.find(program) != string::npos)
-        {
-            return true;
-        }
-    }
-    return false;
+    return std::any_of
+    (
+        commands.cbegin(), commands.cend(),
+        [program](const string& c) { return c.find(program) != string::npos; }
+    );
 }
 
 
@@ -100,7 +97,7 @@ string inQuotes(const fileName& path)
 
 Foam::word Foam::misfit::runStore::name(const wantedRun& run) const
 {
-    string all(template_.hash() + '\n' + run.description);
+    string all(template_.hash + '\n' + run.description);
     for (const string& c : commands_)
     {
         all += '\n' + c;
@@ -122,10 +119,7 @@ void Foam::misfit::runStore::prepare
         end.said.size() && !end.isFromOutside()
       ? end.said : contentOf(target/failedBefore)
     );
-    if (isDir(target))
-    {
-        rmDir(target);
-    }
+    rmDir(target, true);
     template_.copy(target/"case");
     run.change(target/"case");
     if (failed.size())

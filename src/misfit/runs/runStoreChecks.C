@@ -66,7 +66,7 @@ void Foam::misfit::runStore::checkSamePrograms(const List<wantedRun>& runs)
 
 void Foam::misfit::runStore::checkCut() const
 {
-    const fileName file(template_.folder()/"system"/"decomposeParDict");
+    const fileName file(template_.folder/"system"/"decomposeParDict");
     const string text(contentOf(file));
 
     if (ranks_ > 1 && text.size() && text.find(cutByUs) == string::npos)
@@ -99,7 +99,7 @@ void Foam::misfit::runStore::rehearse(const List<wantedRun>& runs) const
                 {
                     const temporaryFolder scratch;
                     here = fileName(scratch)/"case";
-                    template_.link(here);
+                    template_.copy(here, true);
                     run.change(here);
                 }
             }

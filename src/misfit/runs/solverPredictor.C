@@ -20,7 +20,7 @@ using namespace Foam;
 void addFunctions(const fileName& caseFolder, const dictionary& functions)
 {
     misfit::fileDictionary control(caseFolder/"system"/"controlDict");
-    dictionary& all = control.content();
+    dictionary& all = control.content;
     if (!all.found("functions"))
     {
         all.add("functions", dictionary());

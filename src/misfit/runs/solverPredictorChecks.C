@@ -182,8 +182,8 @@ void Foam::misfit::solverPredictor::checkEnd
     const word& experiment
 ) const
 {
-    fileDictionary control(caseFolder/"system"/"controlDict");
-    const entry* end = control.content().findEntry("endTime");
+    const fileDictionary control(caseFolder/"system"/"controlDict");
+    const entry* end = control.content.findEntry("endTime");
     const bool isNumber =
         end && end->isStream() && end->stream().size() == 1
      && end->stream()[0].isNumber();

@@ -37,7 +37,6 @@ void copyFile(const fileName& from, const fileName& to)
     namespace fs = std::filesystem;
     const std::string copied(to);
     std::error_code failed;
-    mkDir(to.path());
     fs::copy_file
     (
         std::string(from), copied, fs::copy_options::overwrite_existing, failed
@@ -67,6 +66,17 @@ string digest(const string& text)
 //- Fields of a template before a run
 const string original("0.orig");
 
+
+//- Folder or file of a run's case that a part of the template is in: what is in 0.orig
+//  here is in 0 there
+fileName inCase(const fileName& part)
+{
+    return
+        part == original || part.find(original + '/') == 0
+      ? fileName("0" + part.substr(original.size()))
+      : part;
+}
+
 } // End anonymous namespace
 
 
@@ -75,7 +85,7 @@ const string original("0.orig");
 Foam::fileNameList Foam::misfit::templateCase::parts() const
 {
     fileNameList found;
-    found.append(isDir(folder_/original) ? original : string("0"));
+    found.append(isDir(folder/original) ? original : string("0"));
     found.append("constant");
     found.append("system");
     found.append(files_);
@@ -88,13 +98,13 @@ Foam::fileNameList Foam::misfit::templateCase::files() const
     fileNameList files;
     for (const fileName& part : parts())
     {
-        if (isDir(folder_/part))
+        if (isDir(folder/part))
         {
-            filesBelow(folder_/part, files);
+            filesBelow(folder/part, files);
         }
         else
         {
-            files.append(folder_/part);
+            files.append(folder/part);
         }
     }
     std::sort(files.begin(), files.end());
@@ -112,19 +122,10 @@ Foam::misfit::templateCase::digests() const
         const bool asks = f.name() == "misfitDict" || f.name() == asking_;
         if (!asks && !(ofMesh && meshIsMade_))
         {
-            all[f.substr(folder_.size())] = digest(contentOf(f));
+            all[f.substr(folder.size())] = digest(contentOf(f));
         }
     }
     return all;
-}
-
-
-Foam::fileName Foam::misfit::templateCase::inCase(const fileName& part)
-{
-    return
-        part == original || part.find(original + '/') == 0
-      ? fileName("0" + part.substr(original.size()))
-      : part;
 }
 
 
@@ -132,23 +133,23 @@ Foam::fileName Foam::misfit::templateCase::inCase(const fileName& part)
 
 Foam::misfit::templateCase::templateCase
 (
-    const fileName& folder,
+    const fileName& itsFolder,
     const fileNameList& files,
     const word& asking,
     const bool meshIsMade
 )
 :
-    folder_(folder),
     files_(files),
     asking_(asking),
-    meshIsMade_(meshIsMade)
+    meshIsMade_(meshIsMade),
+    folder(itsFolder)
 {
     for (const fileName& part : parts())
     {
-        if (!exists(folder_/part))
+        if (!exists(folder/part))
         {
             FatalErrorInFunction
-                << "The case " << folder_ << " has no " << part.c_str()
+                << "The case " << folder << " has no " << part.c_str()
                 << ", which its runs are made of. Start misfitFoam in the folder of a"
                 << " case, or mend files in its dictionary" << exit(FatalError);
         }
@@ -160,7 +161,7 @@ Foam::misfit::templateCase::templateCase
     {
         all += file.first + file.second + '\n';
     }
-    hash_ = digest(all);
+    hash = digest(all);
 }
 
 
@@ -183,7 +184,7 @@ void Foam::misfit::templateCase::checkUnchanged() const
     string names;
     for (const auto& file : changed)
     {
-        names += "\n        " + folder_ + file.first;
+        names += "\n        " + folder + file.first;
     }
     FatalErrorInFunction
         << "The case was changed while misfitFoam worked with it. Changed, added or"
@@ -194,33 +195,23 @@ void Foam::misfit::templateCase::checkUnchanged() const
 }
 
 
-void Foam::misfit::templateCase::link(const fileName& target) const
+void Foam::misfit::templateCase::copy
+(
+    const fileName& target,
+    const bool byLinks
+) const
 {
+    rmDir(target, true);
     for (const fileName& f : files())
     {
-        const fileName l(target/inCase(f.substr(folder_.size() + 1)));
-        mkDir(l.path());
+        const fileName to(target/inCase(f.substr(folder.size() + 1)));
+        mkDir(to.path());
 
-        // Some file systems have no links
-        if (!exists(l) && !ln(f, l))
+        // Some file systems have no links. Through one that is there nothing is written
+        if (!byLinks || !(exists(to) || ln(f, to)))
         {
-            cp(f, l);
+            copyFile(f, to);
         }
-    }
-}
-
-
-void Foam::misfit::templateCase::copy(const fileName& target) const
-{
-    if (isDir(target))
-    {
-        rmDir(target);
-    }
-    mkDir(target);
-
-    for (const fileName& f : files())
-    {
-        copyFile(f, target/inCase(f.substr(folder_.size() + 1)));
     }
 }
 
@@ -232,10 +223,10 @@ Foam::string Foam::misfit::templateCase::inIts
 ) const
 {
     string its(words);
-    if (isDir(folder_/original))
+    if (isDir(folder/original))
     {
-        its.replaceAll(copy/"0/", folder_/(original + '/'));
+        its.replaceAll(copy/"0/", folder/(original + '/'));
     }
-    its.replaceAll(copy, folder_);
+    its.replaceAll(copy, folder);
     return its;
 }
