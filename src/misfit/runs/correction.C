@@ -9,7 +9,9 @@
 #include "OSspecific.H"
 #include "StringStream.H"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace
@@ -21,18 +23,30 @@ using namespace Foam;
 scalarList nodes(const dictionary& dict, const word& key)
 {
     const scalarList list(dict.get<scalarList>(key));
-    bool rises = list.size();
-    for (label i = 1; i < list.size(); ++i)
-    {
-        rises = rises && list[i] > list[i - 1];
-    }
-    if (!rises)
+    const auto fall = std::adjacent_find
+    (
+        list.cbegin(), list.cend(), std::greater_equal<scalar>()
+    );
+    if (list.empty() || fall != list.cend())
     {
         FatalIOErrorInFunction(dict)
             << key << ' ' << list << " of the correction must rise, and be one"
             << " or more" << exit(FatalIOError);
     }
     return list;
+}
+
+
+scalar aboveZero(const dictionary& dict, const word& key)
+{
+    const scalar given = dict.get<scalar>(key);
+    if (given <= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << key << ' ' << given << " of the correction must be above zero"
+            << exit(FatalIOError);
+    }
+    return given;
 }
 
 
@@ -48,13 +62,7 @@ Pair<scalar> reachOf
 {
     if (dict.found(key) || list.size() == 1)
     {
-        const scalar given = dict.get<scalar>(key);
-        if (given <= 0)
-        {
-            FatalIOErrorInFunction(dict)
-                << key << ' ' << given << " must be above zero"
-                << exit(FatalIOError);
-        }
+        const scalar given = aboveZero(dict, key);
         return Pair<scalar>(given, given);
     }
     const label last = list.size() - 1;
@@ -62,19 +70,6 @@ Pair<scalar> reachOf
     const scalar after =
         i < last ? list[i + 1] - list[i] : list[last] - list[last - 1];
     return Pair<scalar>(before, after);
-}
-
-
-scalar sizeOf(const dictionary& dict)
-{
-    const scalar size = dict.get<scalar>("size");
-    if (size <= 0)
-    {
-        FatalIOErrorInFunction(dict)
-            << "size " << size << " of a correction is what is likely; it must"
-            << " be above zero" << exit(FatalIOError);
-    }
-    return size;
 }
 
 
@@ -149,7 +144,7 @@ void Foam::misfit::correction::readPush(const dictionary& dict)
     }
     correctionElement e;
     e.family = "push";
-    e.size = sizeOf(dict);
+    e.size = aboveZero(dict, "size");
     e.direction = keywords::unitVector(dict, "direction", e.direction);
     forAll(stations, i)
     {
@@ -180,7 +175,7 @@ void Foam::misfit::correction::readDrag(const dictionary& dict)
     }
     correctionElement e;
     e.family = "drag";
-    e.size = sizeOf(dict);
+    e.size = aboveZero(dict, "size");
     forAll(voidFractions_, i)
     {
         forAll(Reynolds_, j)
