@@ -81,6 +81,60 @@ TEST(misfitObservers, aProbeOutsideTheMeshIsRefused)
 }
 
 
+TEST(misfitObservers, aRunThatBeganAnewReplacesWhatItHadWrittenFromThereOn)
+{
+    const fakeCase c;
+    for (const char* start : {"0", "0.5", "10"})
+    {
+        mkDir(c.folder()/"postProcessing/S1"/start);
+    }
+    const std::string head("# Probe 0 (0 0 0)\n# Time\n");
+    c.write("postProcessing/S1/0/U", head + "0 (1 2 3)\n0.5 (4 5 6)\n1 (7 8 9)\n");
+    c.write("postProcessing/S1/0.5/U", head + "0.5 (4 50 6)\n2 (7 80 9)\n");
+    c.write("postProcessing/S1/10/U", head + "10 (0 1e1 0)\n");
+    IStringStream is
+    (
+        "quantity velocity; uncertainty 1; place (0 0 0);"
+        " simulated { type probe; field U; component y; scale 2; offset -1; }"
+    );
+    const channel recorded
+    (
+        "S1", dictionary(is), purpose::calibration, c.folder(), 40
+    );
+    const series s(observer(recorded).read(c.folder()));
+    EXPECT_EQ(s.x, scalarList({0, 0.5, 2, 10}));
+    EXPECT_EQ(s.y, scalarList({3, 99, 159, 19}));
+
+    c.write("postProcessing/S1/10/U", "# Probe 0 (0 0 0)  # Not Found\n10 (0 1 0)\n");
+    expectSays
+    (
+        refusal([&]() { observer(recorded).read(c.folder()); }), "outside the mesh"
+    );
+}
+
+
+TEST(misfitObservers, aLevelIsTheShareOfWaterAlongItsLineTimesTheLength)
+{
+    const fakeCase c;
+    mkDir(c.folder()/"postProcessing/H1/0");
+    c.write("postProcessing/H1/0/alpha.water", "# Time\n0 0 0 0 0\n1 1 1 0.5 0\n");
+    IStringStream is
+    (
+        "quantity length; uncertainty 1; place (1 0 0);"
+        " simulated { type level; end (1 0 2); points 4; interval 5; }"
+    );
+    const channel recorded
+    (
+        "H1", dictionary(is), purpose::calibration, c.folder(), 40
+    );
+    const observer level(recorded);
+    EXPECT_EQ(level.places[1], point(1, 0, 0.75));
+    EXPECT_EQ(level.measured.get<label>("writeInterval"), 5);
+    EXPECT_EQ(level.measured.get<pointField>("probeLocations"), level.places);
+    EXPECT_EQ(level.read(c.folder()).y, scalarList({0, 1.25}));
+}
+
+
 TEST(misfitObservers, aNumberAloneIsTheLastLineOfItsTable)
 {
     const fakeCase c;
