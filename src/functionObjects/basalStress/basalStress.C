@@ -4,6 +4,7 @@
 #include "basalStress.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "flumeSettings.H"
 #include "keywords.H"
 #include "wallShear.H"
 
@@ -77,20 +78,12 @@ bool Foam::functionObjects::basalStress::read(const dictionary& dict)
         }
     );
 
-    const wordRes names(dict.get<wordRes>("patches"));
-    patches_ = mesh_.boundaryMesh().patchSet(names).sortedToc();
+    patches_ = flumeSettings::patches(dict, mesh_);
     direction_ =
         keywords::unitVector(dict, "direction", frame_.downslope());
     binWidth_ = dict.lookupOrDefault<scalar>("binWidth", 0.1);
     pName_ = dict.lookupOrDefault<word>("p", "p");
     UName_ = dict.lookupOrDefault<word>("U", "U");
-
-    if (patches_.empty())
-    {
-        FatalIOErrorInFunction(dict)
-            << "patches " << names << " match no patch. Valid choices: "
-            << mesh_.boundaryMesh().names() << exit(FatalIOError);
-    }
 
     if (binWidth_ <= 0)
     {

@@ -5,6 +5,7 @@
 
 #include "addToRunTimeSelectionTable.H"
 #include "erosionPhases.H"
+#include "flumeSettings.H"
 #include "granularPhase.H"
 #include "mathematicalConstants.H"
 
@@ -66,9 +67,11 @@ bool Foam::functionObjects::bedErosion::read(const dictionary& dict)
     planWidth_ = dict.lookupOrDefault<scalar>("planWidth", 0.02);
     width_ = dict.lookupOrDefault<scalar>("width", box().span().y());
     packing_ = dict.lookupOrDefault<scalar>("packing", 0);
-    depthRange_ = dict.lookupOrDefault("depthRange", range(1.2, 1.4));
-    rateRange_ = dict.lookupOrDefault("rateRange", range(1.1, 1.3));
-    layerRange_ = dict.lookupOrDefault("layerRange", depthRange_);
+    depthRange_ =
+        flumeSettings::range(dict, "depthRange", {1.2, 1.4}, box());
+    rateRange_ = flumeSettings::range(dict, "rateRange", {1.1, 1.3}, box());
+    layerRange_ =
+        flumeSettings::range(dict, "layerRange", depthRange_, box());
     rateWindow_ = dict.lookupOrDefault<scalar>("rateWindow", 0.1);
     xStart_ = dict.lookupOrDefault<scalar>("xStart", 0.6);
     smoothing_ = dict.lookupOrDefault<scalar>("smoothing", 0.05);
@@ -92,17 +95,6 @@ bool Foam::functionObjects::bedErosion::read(const dictionary& dict)
             << "stripWidth, planWidth, width and nFarthest must be above zero,"
             << " and are " << stripWidth_ << ", " << planWidth_ << ", "
             << width_ << ", " << nFarthest_ << exit(FatalIOError);
-    }
-
-    for (const range& r : {depthRange_, rateRange_, layerRange_})
-    {
-        if (r.first() >= r.second())
-        {
-            FatalIOErrorInFunction(dict)
-                << "A range from " << r.first() << " to " << r.second()
-                << " m is empty: check depthRange, rateRange and layerRange."
-                << exit(FatalIOError);
-        }
     }
 
     return true;

@@ -4,6 +4,7 @@
 #include "collisionLoad.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "flumeSettings.H"
 
 namespace Foam
 {
@@ -111,24 +112,10 @@ bool Foam::functionObjects::collisionLoad::read(const dictionary& dict)
     );
 
     types_ = labelHashSet(dict.get<labelList>("types"));
-    range_ =
-        dict.lookupOrDefault("range", Tuple2<scalar, scalar>(1.1, 1.3));
-    window_ =
-        dict.lookupOrDefault("window", Tuple2<scalar, scalar>(0.5, 0.7));
+    range_ = flumeSettings::range(dict, "range", {1.1, 1.3}, box());
+    window_ = flumeSettings::range(dict, "window", {0.5, 0.7});
     surgeFront_ = dict.lookupOrDefault<word>("surgeFront", "");
     mass_ = dict.lookupOrDefault<scalar>("mass", 0);
-
-    if
-    (
-        range_.first() >= range_.second()
-     || window_.first() >= window_.second()
-    )
-    {
-        FatalIOErrorInFunction(dict)
-            << "range " << range_ << " m and window " << window_
-            << " s must go from a lower to a higher value."
-            << exit(FatalIOError);
-    }
 
     return true;
 }

@@ -4,6 +4,7 @@
 #include "overflow.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "flumeSettings.H"
 #include "mathematicalConstants.H"
 #include "sphereParts.H"
 #include "strips.H"
@@ -106,7 +107,13 @@ bool Foam::functionObjects::overflow::read(const dictionary& dict)
     );
 
     crest_ = frame_.local(dict.get<point>("crest"));
-    range_ = dict.get<Tuple2<scalar, scalar>>("range");
+    range_ = flumeSettings::range
+    (
+        dict,
+        "range",
+        dict.get<Tuple2<scalar, scalar>>("range"),
+        box()
+    );
     width_ = dict.lookupOrDefault<scalar>("width", box().span().y());
     layer_ = dict.lookupOrDefault<scalar>
     (
@@ -116,16 +123,22 @@ bool Foam::functionObjects::overflow::read(const dictionary& dict)
     landing_ = dict.lookupOrDefault<scalar>("landing", crest_.z()/2);
     UName_ = dict.lookupOrDefault<word>("U", "U");
 
-    if
-    (
-        range_.first() >= range_.second()
-     || layer_ <= 0 || width_ <= 0 || landing_ >= crest_.z()
-    )
+    boundBox wide(box());
+    wide.inflate(1e-6);
+    if (crest_.x() < wide.min().x() || crest_.x() > wide.max().x())
     {
         FatalIOErrorInFunction(dict)
-            << "range " << range_ << " m must go from a lower to a higher value,"
-            << " layer " << layer_ << " m and width " << width_
-            << " m be above zero, landing " << landing_
+            << "crest " << crest_ << " m lies beside the mesh, which goes from "
+            << box().min().x() << " to " << box().max().x()
+            << " m along the flume (origin, downslope)."
+            << exit(FatalIOError);
+    }
+
+    if (layer_ <= 0 || width_ <= 0 || landing_ >= crest_.z())
+    {
+        FatalIOErrorInFunction(dict)
+            << "layer " << layer_ << " m and width " << width_
+            << " m must be above zero, landing " << landing_
             << " m below the crest's height " << crest_.z() << " m."
             << exit(FatalIOError);
     }

@@ -4,6 +4,7 @@
 #include "surgeFront.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "flumeSettings.H"
 #include "mathematicalConstants.H"
 
 namespace Foam
@@ -122,11 +123,7 @@ bool Foam::functionObjects::surgeFront::read(const dictionary& dict)
     waterThreshold_ = dict.lookupOrDefault<scalar>("waterThreshold", 0.005);
     headLength_ = dict.lookupOrDefault<scalar>("headLength", 0.3);
     window_ = dict.lookupOrDefault<scalar>("window", 0.2);
-    reach_ = dict.lookupOrDefault
-    (
-        "reach",
-        Tuple2<scalar, scalar>(-GREAT, GREAT)
-    );
+    reach_ = flumeSettings::range(dict, "reach", {-GREAT, GREAT}, box());
 
     if (min(min(stripWidth_, width_), min(headLength_, window_)) <= 0)
     {

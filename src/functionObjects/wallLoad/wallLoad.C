@@ -4,6 +4,7 @@
 #include "wallLoad.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "flumeSettings.H"
 #include "keywords.H"
 #include "wallShear.H"
 
@@ -131,19 +132,11 @@ bool Foam::functionObjects::wallLoad::read(const dictionary& dict)
         {"patches", "direction", "CofR", "samplingRate", "p", "U"}
     );
 
-    const wordRes names(dict.get<wordRes>("patches"));
-    patches_ = mesh_.boundaryMesh().patchSet(names).sortedToc();
+    patches_ = flumeSettings::patches(dict, mesh_);
     centre_ = dict.lookupOrDefault<point>("CofR", Zero);
     samplingRate_ = dict.lookupOrDefault<scalar>("samplingRate", 0);
     pName_ = dict.lookupOrDefault<word>("p", "p");
     UName_ = dict.lookupOrDefault<word>("U", "U");
-
-    if (patches_.empty())
-    {
-        FatalIOErrorInFunction(dict)
-            << "patches " << names << " match no patch. Valid choices: "
-            << mesh_.boundaryMesh().names() << exit(FatalIOError);
-    }
 
     readDirections(dict);
 

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Settings that several function objects read alike: patches and ranges along the flume.
+
+#include "flumeSettings.H"
+
+#include "keywords.H"
+
+Foam::labelList Foam::flumeSettings::patches
+(
+    const dictionary& dict,
+    const fvMesh& mesh
+)
+{
+    const polyBoundaryMesh& all = mesh.boundaryMesh();
+
+    wordList valid(all.names());
+    valid.append(all.groupPatchIDs().sortedToc());
+
+    const wordRes chosen(keywords::patterns(dict, "patches", valid));
+
+    if (chosen.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "patches in " << dict.name() << " names none." << nl
+            << "Valid names:" << keywords::listed(valid).c_str()
+            << exit(FatalIOError);
+    }
+
+    return all.patchSet(chosen).sortedToc();
+}
+
+
+Foam::Tuple2<Foam::scalar, Foam::scalar> Foam::flumeSettings::range
+(
+    const dictionary& dict,
+    const word& keyword,
+    const Tuple2<scalar, scalar>& byDefault
+)
+{
+    const Tuple2<scalar, scalar> result(dict.getOrDefault(keyword, byDefault));
+
+    if (result.first() >= result.second())
+    {
+        FatalIOErrorInFunction(dict)
+            << keyword << " in " << dict.name() << " is " << result << nl
+            << "    It must go from a lower to a higher value."
+            << exit(FatalIOError);
+    }
+
+    return result;
+}
+
+
+Foam::Tuple2<Foam::scalar, Foam::scalar> Foam::flumeSettings::range
+(
+    const dictionary& dict,
+    const word& keyword,
+    const Tuple2<scalar, scalar>& byDefault,
+    const boundBox& box
+)
+{
+    const Tuple2<scalar, scalar> result(range(dict, keyword, byDefault));
+
+    if
+    (
+        dict.found(keyword)
+     && (
+            result.second() <= box.min().x()
+         || result.first() >= box.max().x()
+        )
+    )
+    {
+        FatalIOErrorInFunction(dict)
+            << keyword << " in " << dict.name() << " is " << result
+            << " m, beside the mesh." << nl
+            << "    That goes from " << box.min().x() << " to "
+            << box.max().x() << " m along the flume (origin, downslope)."
+            << exit(FatalIOError);
+    }
+
+    return result;
+}
