@@ -23,7 +23,8 @@ BEGIN {
     t[0] = 0
 }
 
-/^#/ { next }
+# A run that went on after a kill may do again what it had done
+/^#/ || $1 <= t[n] { next }
 
 {
     t[++n] = $1
