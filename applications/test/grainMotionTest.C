@@ -9,6 +9,9 @@
 #include "sphereParts.H"
 #include "tank.H"
 
+#include <fstream>
+#include <unistd.h>
+
 using namespace Foam;
 
 
@@ -368,4 +371,45 @@ TEST_F(tank, aRegionFollowsTheSurfaceOfWhatRests)
     ASSERT_EQ(line.size(), 12);
     EXPECT_NEAR(line[11], 0.06, 0.0051);
     EXPECT_NEAR(line[2], constant::mathematical::pi/6, 0.03);
+}
+
+
+namespace
+{
+
+//- A tank on each rank, whose grains have numbers of their own
+class ParallelTank
+:
+    public tank
+{};
+
+} // End anonymous namespace
+
+
+TEST_F(ParallelTank, originsOfAllRanksAreWritten)
+{
+    // Ranks that wait for each other for ever shall not make the tests wait
+    alarm(60);
+
+    for (label& id : grains_.grains.id)
+    {
+        id += 100*Pstream::myProcNo();
+    }
+    functionObjects::displacedGrains moved("moved", box_.time(), dict(""));
+    ++box_.time();
+    moved.execute();
+
+    if (Pstream::master())
+    {
+        std::ifstream is
+        (
+            box_.time().globalPath()/"postProcessing"/"moved"/"origins"
+        );
+        scalar time = 0;
+        scalar d = 0;
+        label n = 0;
+        is >> time >> d >> n;
+        EXPECT_EQ(n, 100*Pstream::nProcs());
+    }
+    alarm(0);
 }

@@ -125,7 +125,10 @@ Foam::scalar Foam::functionObjects::displacedGrains::meanDiameter
 
 void Foam::functionObjects::displacedGrains::writeOrigins()
 {
-    if (writeToFile() && origins_.grown())
+    // True on the first rank alone, and all bring theirs
+    const bool toFile = returnReduce(writeToFile(), orOp<bool>());
+
+    if (origins_.grown() && toFile)
     {
         origins_.write(originsFile());
     }
