@@ -7,6 +7,7 @@
 #include "testNumber.H"
 #include "designs.H"
 #include "freeCorrection.H"
+#include "gates.H"
 #include "words.H"
 
 #include <gtest/gtest.h>
@@ -261,6 +262,46 @@ TEST(misfitUnknown, theSameLawInOneExperimentOnlyIsNotNamed)
     EXPECT_EQ(f.verdict, verdictKind::unknown);
     EXPECT_FALSE(f.correction.transfers);
     EXPECT_NE(describe(f).find("no other experiment confirms"), std::string::npos);
+}
+
+
+TEST(misfitUnknown, aLawIsNotNamedWhereTheOtherExperimentGivesNoSamplesWithIt)
+{
+    const HashTable<scalar> truth(dragLaw(0, 0.2));
+    correctedWorld w(truth, truth, 600);
+    w.loseWhereFitted();
+    const finding f(diagnosed(w));
+    EXPECT_TRUE(f.correction.explained);
+    EXPECT_FALSE(f.correction.transfers);
+    EXPECT_EQ(f.verdict, verdictKind::unknown);
+}
+
+
+TEST(misfitUnknown, whatIsLeftMayBeAsMuchAsTheLimitWhereverItIsAsked)
+{
+    settings set(poorSettings());
+    set.leftIfConfirmed = 0;
+    set.matchedChance = 0.9999;
+    const auto elsewhere = [&set]()
+    {
+        correctedWorld w(dragLaw(0, 0.2), dragLaw(0, 0.1), 600);
+        return diagnosed(w, set).correction;
+    };
+    const heldOut b(elsewhere().held.last());
+    ASSERT_EQ(b.experiment, "B");
+    ASSERT_GT(b.squareAfter, set.matchedSquare);
+
+    set.matchedSquare = b.squareAfter;
+    const correctionFound c(elsewhere());
+    ASSERT_EQ(c.held.last().squareAfter, c.held.last().limitOfMatch);
+    EXPECT_TRUE(c.transfers);
+
+    set.leftIfConfirmed = 0.5;
+    heldOut half(b);
+    half.squareBefore = 3;
+    half.squareAfter = 2;
+    half.limitOfMatch = 1.5;
+    EXPECT_TRUE(isConfirmed(List<heldOut>(1, half), set));
 }
 
 

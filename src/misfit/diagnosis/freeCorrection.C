@@ -155,18 +155,17 @@ bool holdsIn
     }
     state = c.s.state(other.experiment, x);
     const samples after(c.s.means(List<runState>(1, state)).first());
-    if (!after.ok() || !other.of(other.use).size())
-    {
-        return false;
-    }
-    compare
-    (
-        heldOut::part::experiment, other, other.use, before, after, known,
-        c.s.set(), c.found.held
-    );
-    const heldOut& h = c.found.held.last();
-    const scalar left = 1 + c.s.set().leftIfConfirmed*(h.squareBefore - 1);
-    return h.squareAfter < max(left, h.limitOfMatch);
+    const settings& set = c.s.set();
+    List<heldOut>& held = c.found.held;
+    return
+        after.ok()
+     && compare
+        (
+            heldOut::part::experiment, other, other.use, before, after, known, set,
+            held
+        )
+     && held.last().squareAfter
+     <= max(confirmingSquare(held.last(), set), held.last().limitOfMatch);
 }
 
 

@@ -3,7 +3,7 @@
 
 #include "heldOut.H"
 
-void Foam::misfit::compare
+bool Foam::misfit::compare
 (
     const heldOut::part what,
     const observed& recorded,
@@ -21,7 +21,7 @@ void Foam::misfit::compare
     const label n = data.size();
     if (!n || from.size() != n || to.size() != n)
     {
-        return;
+        return false;
     }
     const mat uncertain(known.at(to));
     const whitener white(uncertain);
@@ -35,6 +35,7 @@ void Foam::misfit::compare
         uncertain.diagonal().cwiseSqrt(), square(from), square(to),
         statistics::chanceOfSquare(n, limits.adequacy), matchLimit(n, limits)
     });
+    return true;
 }
 
 
@@ -69,6 +70,13 @@ Foam::scalar Foam::misfit::matchLimit(const label samples, const rules& limits)
         limits.matchedSquare,
         statistics::chanceOfSquare(samples, limits.matchedChance)
     );
+}
+
+
+Foam::scalar
+Foam::misfit::confirmingSquare(const heldOut& h, const rules& limits)
+{
+    return 1 + limits.leftIfConfirmed*(h.squareBefore - 1);
 }
 
 

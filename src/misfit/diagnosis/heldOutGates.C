@@ -108,7 +108,7 @@ bool Foam::misfit::isConfirmed(const List<heldOut>& held, const rules& limits)
     {
         if (h.use == purpose::validation && h.squareBefore > h.limitOfMatch)
         {
-            const scalar left = 1 + limits.leftIfConfirmed*(h.squareBefore - 1);
+            const scalar left = confirmingSquare(h, limits);
             if (h.squareAfter > max(left, h.limitOfMatch))
             {
                 return false;
