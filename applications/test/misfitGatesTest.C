@@ -20,7 +20,7 @@ wordList failed(const finding& f)
     wordList names;
     for (const gate& g : f.gates)
     {
-        if (g.applies && !g.passed && g.kind != gateKind::detection)
+        if (g.fails() && g.kind != gateKind::detection)
         {
             names.append(gateNames[g.kind]);
         }

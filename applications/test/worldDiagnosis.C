@@ -69,7 +69,7 @@ bool Foam::misfit::passes(const finding& f, const word& name)
 {
     for (const gate& g : f.gates)
     {
-        if (gateNames[g.kind] == name && g.applies && !g.passed)
+        if (gateNames[g.kind] == name && g.fails())
         {
             return false;
         }

@@ -4,6 +4,28 @@
 #include "gateList.H"
 #include "error.H"
 
+#include <algorithm>
+
+namespace
+{
+
+using Foam::misfit::gateKind;
+
+//- What is asked: below the limit, or at least that; and whether any answer must pass
+const std::vector<gateKind> below
+({
+    gateKind::detection, gateKind::heldOut, gateKind::transfer, gateKind::placebo
+});
+
+const std::vector<gateKind> ofAnyAnswer
+({
+    gateKind::computed, gateKind::adequacy, gateKind::heldOut, gateKind::degradesHeldOut,
+    gateKind::transfer, gateKind::alone, gateKind::placebo
+});
+
+} // End anonymous namespace
+
+
 const Foam::Enum<Foam::misfit::gateKind> Foam::misfit::gateNames
 ({
     {gateKind::detection, "detection"},
@@ -20,6 +42,12 @@ const Foam::Enum<Foam::misfit::gateKind> Foam::misfit::gateNames
 });
 
 
+bool Foam::misfit::mustBeBelow(const gateKind kind)
+{
+    return statistics::contains(below, kind);
+}
+
+
 bool Foam::misfit::gateList::passed(const gateKind kind) const
 {
     if (!statistics::contains(asked_, kind))
@@ -28,27 +56,15 @@ bool Foam::misfit::gateList::passed(const gateKind kind) const
             << "The gate " << gateNames[kind] << " was never asked"
             << exit(FatalError);
     }
-    for (const gate& g : gates_)
-    {
-        if (g.kind == kind && g.applies && !g.passed)
-        {
-            return false;
-        }
-    }
-    return true;
+    const auto fails = [kind](const gate& g) { return g.kind == kind && g.fails(); };
+    return std::none_of(begin(), end(), fails);
 }
 
 
 bool Foam::misfit::gateList::applied(const gateKind kind) const
 {
-    for (const gate& g : gates_)
-    {
-        if (g.kind == kind && g.applies)
-        {
-            return true;
-        }
-    }
-    return false;
+    const auto applies = [kind](const gate& g) { return g.kind == kind && g.applies; };
+    return std::any_of(begin(), end(), applies);
 }
 
 
@@ -57,9 +73,8 @@ std::vector<Foam::misfit::gateKind> Foam::misfit::gateList::failed() const
     std::vector<gateKind> kinds;
     for (const gate& g : gates_)
     {
-        const bool fails =
-            g.applies && !g.passed && g.kind != gateKind::detection;
-        if (fails && !statistics::contains(kinds, g.kind))
+        const bool known = statistics::contains(kinds, g.kind);
+        if (g.fails() && g.kind != gateKind::detection && !known)
         {
             kinds.push_back(g.kind);
         }
@@ -70,20 +85,6 @@ std::vector<Foam::misfit::gateKind> Foam::misfit::gateList::failed() const
 
 bool Foam::misfit::gateList::allowAnswer() const
 {
-    for
-    (
-        const gateKind kind :
-        {
-            gateKind::computed, gateKind::adequacy, gateKind::heldOut,
-            gateKind::degradesHeldOut, gateKind::transfer, gateKind::alone,
-            gateKind::placebo
-        }
-    )
-    {
-        if (!passed(kind))
-        {
-            return false;
-        }
-    }
-    return true;
+    const auto passes = [this](const gateKind kind) { return passed(kind); };
+    return std::all_of(ofAnyAnswer.begin(), ofAnyAnswer.end(), passes);
 }

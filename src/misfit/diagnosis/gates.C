@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an answer must pass: the gates in their order, and those of the fit itself.
+// What an answer must pass: the gates in their order, but for held-out data.
 
 #include "gates.H"
 #include "detect.H"
+#include "placebo.H"
 
 namespace
 {
@@ -10,22 +11,62 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
-gate computedGate(const explanations& e)
+//- What the gates are asked of
+struct asked
 {
-    const hypothesis& what = e.best().what;
-    gate g(gate::at(gateKind::computed, 0, 0));
-    g.applies = !what.isOnlyUnknown() && !what.isNone();
-    g.passed = e.find(what);
-    return g;
+    const study& s;
+
+    const models& m;
+
+    const std::vector<int>& mechanisms;
+
+    finding& f;
+
+    //- Score that what is named gains with nothing unknown beside it
+    scalar alone = 0;
+
+
+    const settings& set() const
+    {
+        return s.set();
+    }
+
+    const hypothesis& what() const
+    {
+        return f.best().what;
+    }
+
+    scalar gain() const
+    {
+        return f.explained.baseline().score - f.best().score;
+    }
+};
+
+
+//- The score that the mechanisms of the best, or its exchange, gain with nothing
+//  unknown beside them
+scalar gainAlone(const asked& a)
+{
+    if (a.what().mechanisms.size())
+    {
+        return statistics::gain(*a.m.calibration, a.what(), a.set().modelDiscrepancy);
+    }
+    for (const scored& w : a.f.explained.all())
+    {
+        // Scored with the uncertainty where the exchange moves it
+        if (a.what().fault && w.what == a.what().known())
+        {
+            return a.f.explained.baseline().score - w.score;
+        }
+    }
+    return 0;
 }
 
 
-gate failedGate(const failedExperiment& failed)
+gate computedGate(const asked& a)
 {
-    gate g(gate::at(gateKind::computed, 0, 0));
-    g.passed = false;
-    g.experiment = failed.name;
-    g.failure = failed.why;
+    gate g(gateKind::computed, a.f.explained.find(a.what()) != nullptr, 1);
+    g.applies = !a.what().isOnlyUnknown() && !a.what().isNone();
     return g;
 }
 
@@ -40,15 +81,15 @@ bool saySame(const hypothesis& best, const hypothesis& h)
 }
 
 
-gate gapGate(const explanations& e, const settings& set)
+gate gapGate(const asked& a)
 {
     // The best of those that say the same leads
-    scalar own = e.best().score;
+    scalar own = a.f.best().score;
     scalar others = GREAT;
     std::optional<hypothesis> next;
-    for (const scored& w : e.all())
+    for (const scored& w : a.f.explained.all())
     {
-        if (saySame(e.best().what, w.what))
+        if (saySame(a.what(), w.what))
         {
             own = min(own, w.score);
         }
@@ -58,48 +99,118 @@ gate gapGate(const explanations& e, const settings& set)
             next = w.what;
         }
     }
-    gate g(gate::atLeast(gateKind::gap, others - own, set.gap));
+    gate g(gateKind::gap, others - own, a.set().gap);
     g.next = next;
     return g;
 }
 
 
-//- True if something unknown beside the mechanisms of the best gains most of the score
-bool isMostlyUnknown
-(
-    const rules& limits,
-    const explanations& e,
-    const scalar alone
-)
-{
-    const hypothesis& what = e.best().what;
-    return
-        what.unknown && what.mechanisms.size()
-     && alone < limits.ownShare*(e.baseline().score - e.best().score);
-}
-
-
-gate adequacyGate
-(
-    const study& s,
-    const models& m,
-    const explanations& e,
-    const scalar alone
-)
+//- Beside something unknown only where that gains most of the score
+gate adequacyGate(const asked& a)
 {
     gate g
     (
-        gate::atLeast
-        (
-            gateKind::adequacy,
-            scanResidual(s, *m.calibration, e.best()).p,
-            s.set().adequacy
-        )
+        gateKind::adequacy,
+        scanResidual(a.s, *a.m.calibration, a.f.best()).p,
+        a.set().adequacy
     );
-    g.applies = !e.best().what.unknown || isMostlyUnknown(s.set(), e, alone);
+    const bool isMostlyUnknown =
+        a.what().mechanisms.size() && a.alone < a.set().ownShare*a.gain();
+    g.applies = !a.what().unknown || isMostlyUnknown;
     return g;
 }
 
+
+//- What wins without a channel
+scored winnerWithout(const asked& a, const label channel)
+{
+    const scored& best = a.f.best();
+    const auto rest(a.m.calibration->without(channel, a.s.width()));
+    const std::vector<scored> all
+    (
+        rest->score(a.set().modelDiscrepancy).all
+        (
+            a.mechanisms,
+            possibleFaults(rest->data(), a.set().faults),
+            best.what.mechanisms.size() > 1
+        )
+    );
+    scalar own = GREAT;
+    for (const scored& w : all)
+    {
+        // Something unknown is scored beside the best few only. It does not speak
+        // for what it is beside: it may match what that does not
+        const bool same = !w.what.fault && w.what.hasMechanismsOf(best.what);
+        if (w.what == best.what || (same && own == GREAT))
+        {
+            own = w.score;
+        }
+    }
+    for (const scored& w : all)
+    {
+        const bool other =
+            w.what.fault ? true
+          : w.what.mechanisms.size()
+         && !w.what.contains(best.what) && !best.what.contains(w.what);
+        if (other && !(w.what == best.what) && w.score < own - a.set().gap)
+        {
+            return w;
+        }
+    }
+    return best;
+}
+
+
+//- The explanation still wins with each channel left out in turn; what wins instead
+//  is one of the winners
+gate stabilityGate(const asked& a)
+{
+    const std::vector<segment>& channels = a.m.calibration->data().segments;
+    const bool applies = channels.size() > 1 && a.what().mechanisms.size();
+    const label n = applies ? count(channels) : 0;
+    wordList lost;
+    for (label i = 0; i < n; ++i)
+    {
+        const scored w(winnerWithout(a, i));
+        if (!(w.what == a.what()))
+        {
+            a.f.winners.push_back({channels[i].name, w});
+            lost.append(channels[i].name);
+        }
+    }
+    gate g(gateKind::stability, n - lost.size(), n);
+    g.applies = applies;
+    g.lost = lost;
+    return g;
+}
+
+
+//- What is named is evidence by itself. Of a fault only where something unknown is
+//  beside it: else it is the evidence
+gate aloneGate(const asked& a)
+{
+    gate g(gateKind::alone, a.alone, a.set().evidence);
+    g.applies = a.what().mechanisms.size() || (a.what().fault && a.what().unknown);
+    return g;
+}
+
+
+//- A misfit with the wrong sign, or moved in time, gains less than half as much
+gate placeboGate(const asked& a)
+{
+    // What held-out data confirm was seen at other times and places indeed
+    const statistics::placebo placebo
+    (
+        *a.m.calibration, a.f.explained.baseline(), a.f.best(),
+        a.set().modelDiscrepancy,
+        isConfirmed(a.f.held, a.set()) ? -1 : a.set().lastingEffect
+    );
+    gate g(gateKind::placebo, placebo.gain, a.set().placebo*a.alone);
+    g.applies = a.what().mechanisms.size() && a.alone >= a.set().evidence;
+    g.gained = a.alone;
+    g.moved = placebo.moved;
+    return g;
+}
 
 } // End anonymous namespace
 
@@ -114,43 +225,30 @@ std::map<Foam::word, Foam::misfit::covariance> Foam::misfit::askGates
 {
     Info<< "Gates" << endl;
     const settings& set = s.set();
-    explanations& e = f.explained;
-    f.gates.add
-    (
-        gate::below(gateKind::detection, f.detection.p, set.significance)
-    );
-    const bool detected = isDetected(s, f);
+    asked a{s, m, mechanisms, f};
+    f.gates.add({gateKind::detection, f.detection.p, set.significance});
     f.gates.addNothing(gateKind::computed);
-    scalar alone = 0;
+    const bool detected = f.gates.passed(gateKind::detection);
     if (detected)
     {
-        alone = gainAlone(*m.calibration, e, set.modelDiscrepancy);
-        f.gates.add
-        (
-            gate::atLeast
-            (
-                gateKind::evidence,
-                e.baseline().score - e.best().score,
-                set.evidence
-            )
-        );
-        f.gates.add(computedGate(e));
-        f.gates.add(gapGate(e, set));
-        f.gates.add(adequacyGate(s, m, e, alone));
+        a.alone = gainAlone(a);
+        f.gates.add({gateKind::evidence, a.gain(), set.evidence});
+        f.gates.add(computedGate(a));
+        f.gates.add(gapGate(a));
+        f.gates.add(adequacyGate(a));
     }
     else
     {
         // Where the fitted channels agree, others may part all the same
-        e.putFirst(hypothesis(e.baseline().what));
+        f.explained.putFirst(hypothesis(f.explained.baseline().what));
     }
 
-    const scored& best = e.best();
     const heldOutPredictions predicted
     (
         predictHeldOut
         (
-            s, m, e,
-            best.what.isNone() || blamesOneSensor(best.what)
+            s, m, f.explained,
+            a.what().isNone() || blamesOneSensor(a.what())
          || !f.gates.passed(gateKind::evidence)
         )
     );
@@ -159,14 +257,17 @@ std::map<Foam::word, Foam::misfit::covariance> Foam::misfit::askGates
     for (const failedExperiment& failed : predicted.failed)
     {
         f.failedExperiments.append(failed.name);
-        f.gates.add(failedGate(failed));
+        gate g(gateKind::computed, 0, 1);
+        g.experiment = failed.name;
+        g.failure = failed.why;
+        f.gates.add(g);
     }
-    askHeldOut(s, m, best, f.held, f.gates);
+    askHeldOut(s, m, f.best(), f.held, f.gates);
     if (detected)
     {
-        f.gates.add(stabilityGate(s, m, best, mechanisms, f.winners));
-        f.gates.add(aloneGate(set, best.what, alone));
-        f.gates.add(placeboGate(set, m, e, f.held, alone));
+        f.gates.add(stabilityGate(a));
+        f.gates.add(aloneGate(a));
+        f.gates.add(placeboGate(a));
     }
     return predicted.known;
 }

@@ -44,12 +44,9 @@ gate heldOutGate
 {
     gate g
     (
-        gate::below
-        (
-            h.isHere() ? gateKind::heldOut : gateKind::transfer,
-            h.squareAfter,
-            heldOutLimit(limits, what, h)
-        )
+        h.isHere() ? gateKind::heldOut : gateKind::transfer,
+        h.squareAfter,
+        heldOutLimit(limits, what, h)
     );
     g.held = number;
 
@@ -74,18 +71,15 @@ gate degradesHeldOutGate
         best.what.mechanisms.size() && h.squareAfter > h.squareBefore;
     gate g
     (
-        gate::atLeast
+        gateKind::degradesHeldOut,
+        worse
+      ? statistics::chanceOfDegradation
         (
-            gateKind::degradesHeldOut,
-            worse
-          ? statistics::chanceOfDegradation
-            (
-                *m.calibration, *m.validation, best, h.before, h.after,
-                s.set().modelDiscrepancy
-            )
-          : 1,
-            s.set().significance
+            *m.calibration, *m.validation, best, h.before, h.after,
+            s.set().modelDiscrepancy
         )
+      : 1,
+        s.set().significance
     );
     g.applies = worse;
     g.held = number;

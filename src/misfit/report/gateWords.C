@@ -10,18 +10,6 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
-string atLeast(const gate& g)
-{
-    return "at least " + shortNumber(g.limit, 3);
-}
-
-
-string below(const gate& g)
-{
-    return "below " + shortNumber(g.limit, 3);
-}
-
-
 gateWords ofComputed(const gate& g)
 {
     if (g.experiment.empty())
@@ -112,8 +100,6 @@ Foam::misfit::describe(const gate& g, const finding& f)
         case gateKind::stability: return ofStability(g);
         default: break;
     }
-    const bool less =
-        g.kind == gateKind::detection || g.kind == gateKind::heldOut
-     || g.kind == gateKind::transfer || g.kind == gateKind::placebo;
-    return {question(g, f), shortNumber(g.value, 3), less ? below(g) : atLeast(g)};
+    const string side(mustBeBelow(g.kind) ? "below " : "at least ");
+    return {question(g, f), shortNumber(g.value, 3), side + shortNumber(g.limit, 3)};
 }
