@@ -313,7 +313,7 @@ TEST(misfitUnknown, noiseAloneLeavesTheCorrectionZero)
         correctedWorld w({}, {}, seed);
         study asked(w, set);
         models m(asked);
-        m.addRuns(asked, parameterDesign(asked.bounds()));
+        m.addRuns(asked, parameterDesign(asked.bounds));
         m.build(asked);
         label runs = 0;
         const correctionFound c

@@ -14,12 +14,12 @@ Foam::misfit::correcting::correcting
     m(s),
     base(calibrated),
     white(base.covariance),
-    atBase(vec::Zero(s.bounds().mean.size()))
+    atBase(vec::Zero(s.bounds.mean.size()))
 {
-    const label nP = s.bounds().nParameters;
+    const label nP = s.bounds.nParameters;
     atBase.head(nP) = base.best.x.head(nP);
-    m.calibration = all.calibration->withVariables(s.bounds());
-    m.validation = all.validation->withVariables(s.bounds());
+    m.calibration = all.calibration->withVariables(s.bounds);
+    m.validation = all.validation->withVariables(s.bounds);
     found.asked = true;
 }
 
@@ -34,7 +34,7 @@ Foam::misfit::scored Foam::misfit::correcting::fit
     w.what.combination = combination;
     w.number = number;
     w.covariance = base.covariance;
-    return m.calibration->score(s.set().modelDiscrepancy).again(w, white);
+    return m.calibration->score(s.set.modelDiscrepancy).again(w, white);
 }
 
 

@@ -43,7 +43,7 @@ void judge
     const labelList& order
 )
 {
-    const settings& set = c.s.set();
+    const settings& set = c.s.set;
     correctionFound& found = c.found;
     const dimensionlessLaw& best = laws[order[0]];
     const refitted& first = fits[order[0]];
@@ -61,7 +61,7 @@ void judge
         vec deviations(k);
         for (label j = 0; j < k; ++j)
         {
-            deviations[j] = f.deviation(c.s.bounds().nParameters + j);
+            deviations[j] = f.deviation(c.s.bounds.nParameters + j);
         }
         found.laws.append({laws[i], f.x.tail(k), deviations, lead});
 
@@ -115,10 +115,10 @@ Foam::misfit::followLaws(correcting& c, const refitted& free)
     sort();
 
     // In the solver, too, until the best of those that run was computed
-    for (label n = 0; n < c.s.set().refit; ++n)
+    for (label n = 0; n < c.s.set.refit; ++n)
     {
         refitted& first = fits[order[0]];
-        const scalar limit = free.best.score + c.s.set().gap;
+        const scalar limit = free.best.score + c.s.set.gap;
         if (first.variables.size() || first.best.score > limit)
         {
             break;

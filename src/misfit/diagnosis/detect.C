@@ -21,13 +21,13 @@ std::vector<int> alwaysFailing
 )
 {
     std::vector<int> never;
-    forAll(s.names(), m)
+    forAll(s.names, m)
     {
         label asked = 0;
         label ran = 0;
         for (label i = 0; i < count(design); ++i)
         {
-            const bool on = design[i][s.bounds().nParameters + m] > 0;
+            const bool on = design[i][s.bounds.nParameters + m] > 0;
             asked += on;
             ran += on && given[i].ok();
         }
@@ -55,13 +55,13 @@ mat shapes(const study& s, const sampledModel& calibration, const scored& base)
 
     const vec at = calibration.model(base.what).expand(base.best.x);
     // A weak effect may look otherwise than a strong one, as one that delays
-    std::vector<int> all(s.names().size());
+    std::vector<int> all(s.names.size());
     std::iota(all.begin(), all.end(), 0);
     for (const vec& with : s.sensitivityDesign(at, all))
     {
         add(calibration.surface()(with) - calibration.surface()(at));
     }
-    for (const sensorFault& fault : possibleFaults(calibration.data(), s.set().faults))
+    for (const sensorFault& fault : possibleFaults(calibration.data(), s.set.faults))
     {
         if (fault.size() == 1)
         {
@@ -99,16 +99,16 @@ std::vector<int> Foam::misfit::addCalibrationRuns(study& s, models& m)
     Info<< "Calibration" << endl;
     std::vector<vec> design
     (
-        s.set().trainingEnsemble
-      ? ensembleDesign(s.bounds(), s.set().trainingEnsemble, s.set().seed)
-      : parameterDesign(s.bounds())
+        s.set.trainingEnsemble
+      ? ensembleDesign(s.bounds, s.set.trainingEnsemble, s.set.seed)
+      : parameterDesign(s.bounds)
     );
-    if (s.trainingEnsemble().size())
+    if (s.ask.trainingEnsemble().size())
     {
         design.clear();
-        for (const runState& state : s.trainingEnsemble())
+        for (const runState& state : s.ask.trainingEnsemble())
         {
-            design.push_back(s.variables(state));
+            design.push_back(variablesOf(s.set.parameters, s.names, state));
         }
     }
     const List<samples> given(m.addRuns(s, design));
@@ -145,12 +145,12 @@ Foam::misfit::scanned Foam::misfit::scanResidual
     );
     const statistics::scan scan
     (
-        m.data(), white, s.set().draws, s.set().seed, shapes
+        m.data(), white, s.set.draws, s.set.seed, shapes
     );
     return scan
     (
         m.data().y - w.best.f + slopes*fromMean,
-        s.set().significance
+        s.set.significance
     );
 }
 
@@ -163,9 +163,9 @@ Foam::misfit::scored Foam::misfit::detect
 )
 {
     Info<< "Detection" << endl;
-    const settings& set = s.set();
+    const settings& set = s.set;
     const stacked& data = m.calibration->data();
-    const vec atMean = m.calibration->surface()(s.bounds().mean);
+    const vec atMean = m.calibration->surface()(s.bounds.mean);
     const whitener white(m.calibration->uncertainty().at(atMean));
     const statistics::scan raw(data, white, set.draws, set.seed);
     f.raw = raw(data.y - atMean, set.significance);
@@ -206,7 +206,7 @@ Foam::misfit::scored Foam::misfit::detect
 
 bool Foam::misfit::isDetected(const study& s, const finding& f)
 {
-    return f.detection.p < s.set().significance;
+    return f.detection.p < s.set.significance;
 }
 
 
@@ -219,7 +219,7 @@ std::vector<Foam::misfit::place> Foam::misfit::locateNamed
 {
     // What is left counts, too: nature's formula may be another one
     const stacked& data = m.calibration->data();
-    const scalar share = s.set().residualShare;
+    const scalar share = s.set.residualShare;
     const vec explained =
         (1 - share)*(f.after - f.before) + share*(data.y - f.before);
     return placed
@@ -229,7 +229,7 @@ std::vector<Foam::misfit::place> Foam::misfit::locateNamed
             data,
             explained,
             f.explained.baseline().covariance,
-            s.set().beyond
+            s.set.beyond
         ),
         data,
         explained
@@ -246,14 +246,14 @@ void Foam::misfit::addSensitivityRuns
     std::vector<int>& never
 )
 {
-    if (s.set().trainingEnsemble || s.trainingEnsemble().size())
+    if (s.set.trainingEnsemble || s.ask.trainingEnsemble().size())
     {
         return;
     }
     Info<< "Sensitivities of the mechanisms" << endl;
-    vec at = s.bounds().mean;
-    at.head(s.bounds().nParameters) =
-        base.best.x.head(s.bounds().nParameters);
+    vec at = s.bounds.mean;
+    at.head(s.bounds.nParameters) =
+        base.best.x.head(s.bounds.nParameters);
     std::vector<vec> design(1, at);
     const std::vector<vec> alone(s.sensitivityDesign(at, candidates.left));
     design.insert(design.end(), alone.begin(), alone.end());
@@ -273,7 +273,7 @@ void Foam::misfit::addSensitivityRuns
             never.push_back(mechanism);
             candidates.dropped.append
             ({
-                s.names()[mechanism], droppedCandidate::reason::failed,
+                s.names[mechanism], droppedCandidate::reason::failed,
                 weak.failure, 0, 0
             });
         }

@@ -25,7 +25,7 @@ void warnOfClock(const study& s)
     for (const segment& channel : s.data().calibration.segments)
     {
         const bool moves = !channel.overTime && !channel.isNumber();
-        if (moves && s.set().clockUncertainty > 0)
+        if (moves && s.set.clockUncertainty > 0)
         {
             WarningInFunction
                 << "clockUncertainty is not counted in " << channel.name.c_str()
@@ -42,7 +42,7 @@ finding diagnosed(sampler& ask, const settings& set)
     warnOfClock(s);
     models m(s);
     finding f;
-    f.library = s.names();
+    f.library = s.names;
 
     addUncertainty(s, m);
     std::vector<int> never(addCalibrationRuns(s, m));
@@ -78,10 +78,10 @@ finding diagnosed(sampler& ask, const settings& set)
     tellApart(s, *m.calibration, candidates.left, f);
 
     const auto known(askGates(s, m, candidates.left, f));
-    f.failedRuns = s.failed();
+    f.failedRuns = s.failed;
     decide(s, m, f);
     correct(s, m, known, f);
-    f.nRuns += s.nRuns();
+    f.nRuns += s.nRuns;
     return f;
 }
 
@@ -92,7 +92,7 @@ List<runState> replicated(const study& s, const std::vector<vec>& design)
     List<runState> states;
     for (const vec& x : design)
     {
-        for (label i = 0; i < s.set().commonRandomNumbers; ++i)
+        for (label i = 0; i < s.set.commonRandomNumbers; ++i)
         {
             states.append(s.state(x));
             states.last().replicate = i;
@@ -127,8 +127,8 @@ Foam::misfit::visible(sampler& ask, const settings& set)
     addUncertainty(s, m);
     addCalibrationRuns(s, m);
 
-    const vec& mean = s.bounds().mean;
-    const label nP = s.bounds().nParameters;
+    const vec& mean = s.bounds.mean;
+    const label nP = s.bounds.nParameters;
     visibility v;
     v.sensors = covariance(m.calibration->data(), 0).at(m.calibration->data().y);
     v.all = m.calibration->uncertainty().at(m.calibration->surface()(mean));
@@ -136,7 +136,7 @@ Foam::misfit::visible(sampler& ask, const settings& set)
     (
         v.all,
         m.calibration->surface().slopes(mean).leftCols(nP),
-        s.bounds().deviation.head(nP)
+        s.bounds.deviation.head(nP)
     );
     return v;
 }
@@ -159,7 +159,7 @@ Foam::misfit::plan(sampler& ask, const settings& set)
             "Calibration and sensitivities, a training ensemble of random runs",
             replicated
             (
-                s, ensembleDesign(s.bounds(), set.trainingEnsemble, set.seed)
+                s, ensembleDesign(s.bounds, set.trainingEnsemble, set.seed)
             )
         });
     }
@@ -167,12 +167,12 @@ Foam::misfit::plan(sampler& ask, const settings& set)
     {
         std::vector<int> every(set.candidates.size());
         std::iota(every.begin(), every.end(), 0);
-        stages.append({"Calibration", replicated(s, parameterDesign(s.bounds()))});
+        stages.append({"Calibration", replicated(s, parameterDesign(s.bounds))});
         stages.append
         ({
             "Sensitivities of the mechanisms (around the calibrated state, not the"
             " one shown)",
-            replicated(s, s.sensitivityDesign(s.bounds().mean, every))
+            replicated(s, s.sensitivityDesign(s.bounds.mean, every))
         });
     }
     if (set.correction.size())

@@ -2,43 +2,55 @@
 // Predictions from a training ensemble of runs, without the solver.
 
 #include "emulatedPredictor.H"
-#include "FlatOutput.H"
+#include "IndirectList.H"
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::misfit::vec
-Foam::misfit::emulatedPredictor::variables(const runState& s) const
+namespace
 {
-    const label nP = parameters_.size();
-    vec x = vec::Zero(nP + candidates_.size());
-    forAll(parameters_, i)
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+//- Each channel of a run at so many places as even grids
+List<series> gridsOf(const prediction& run)
+{
+    List<series> grids(run.channels.size());
+    forAll(grids, c)
     {
-        x[i] = s.parameters.lookup(parameters_[i].name, parameters_[i].mean);
+        const series& s = run.channels[c];
+        scalarList x(s.x.size() ? 120 : 0);
+        forAll(x, k)
+        {
+            x[k] = s.x.first() + k*(s.x.last() - s.x.first())/(x.size() - 1);
+        }
+        grids[c] = series(x, x);
     }
-    forAll(candidates_, i)
-    {
-        x[nP + i] = s.strengths.lookup(candidates_[i].name, 0);
-    }
-    return x;
+    return grids;
 }
 
+
+//- All channels of a run on these grids
+vec onGrids(const List<series>& grids, const prediction& run)
+{
+    scalarList all;
+    forAll(grids, c)
+    {
+        for (const scalar x : grids[c].x)
+        {
+            all.append(run.channels[c](x));
+        }
+    }
+    return Eigen::Map<const vec>(all.cdata(), all.size());
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 bool Foam::misfit::emulatedPredictor::isVariant(const label run) const
 {
     const runState& s = states_[run];
     return s.resolution != "base" || s.replicate != states_.first().replicate;
-}
-
-
-bool Foam::misfit::emulatedPredictor::makesSurface
-(
-    const label run,
-    const word& experiment
-) const
-{
-    return
-        states_[run].experiment == experiment && runs_[run].ok()
-     && !isVariant(run);
 }
 
 
@@ -56,70 +68,49 @@ bool Foam::misfit::emulatedPredictor::isVariantOf
 }
 
 
-Foam::misfit::vec Foam::misfit::emulatedPredictor::onGrids
-(
-    const emulator& e,
-    const prediction& p
-) const
+Foam::labelList
+Foam::misfit::emulatedPredictor::surfaceRuns(const word& experiment) const
 {
-    scalarList all;
-    forAll(e.grids, c)
+    labelList some;
+    forAll(states_, i)
     {
-        for (const scalar x : e.grids[c])
+        if (states_[i].experiment == experiment && runs_[i].ok() && !isVariant(i))
         {
-            all.append(p.channels[c](x));
+            some.append(i);
         }
     }
-    return Eigen::Map<const vec>(all.cdata(), all.size());
+    return some;
 }
 
 
-Foam::autoPtr<Foam::misfit::emulatedPredictor::emulator>
+Foam::misfit::emulatedPredictor::emulator
 Foam::misfit::emulatedPredictor::build(const word& experiment) const
 {
-    autoPtr<emulator> e(new emulator);
-    mat x(parameters_.size() + candidates_.size(), 0);
+    const labelList some(surfaceRuns(experiment));
+    emulator e;
+    e.grids = some.size() ? gridsOf(runs_[some.first()]) : List<series>();
+    const label n = parameters_.size() + candidates_.size();
+    mat x(n, some.size());
     mat y;
-    forAll(states_, i)
+    forAll(some, i)
     {
-        if (!makesSurface(i, experiment))
-        {
-            continue;
-        }
-        const label n = x.cols();
-        if (!n)
-        {
-            for (const series& s : runs_[i].channels)
-            {
-                scalarList grid(s.x.size() ? 120 : 0);
-                forAll(grid, k)
-                {
-                    grid[k] =
-                        s.x.first()
-                      + k*(s.x.last() - s.x.first())/(grid.size() - 1);
-                }
-                e->grids.append(grid);
-            }
-        }
-        const vec samples(onGrids(e(), runs_[i]));
-        x.conservativeResize(Eigen::NoChange, n + 1);
-        y.conservativeResize(samples.size(), n + 1);
-        x.col(n) = variables(states_[i]);
-        y.col(n) = samples;
+        const vec samples(onGrids(e.grids, runs_[some[i]]));
+        x.col(i) = variables(states_[some[i]]);
+        y.conservativeResize(samples.size(), some.size());
+        y.col(i) = samples;
     }
 
-    vec centre = vec::Zero(x.rows());
-    vec width = vec::Ones(x.rows());
+    vec centre = variables(runState());
+    vec width(n);
     forAll(parameters_, i)
     {
-        centre[i] = parameters_[i].mean;
         width[i] = parameters_[i].deviation;
     }
     forAll(candidates_, i)
     {
         width[parameters_.size() + i] = candidates_[i].strong;
     }
-    e->surface.reset(new statistics::responseSurface(x, y, centre, width));
+    e.surface.reset(new statistics::responseSurface(x, y, centre, width));
     return e;
 }
 
@@ -128,34 +119,28 @@ Foam::misfit::prediction
 Foam::misfit::emulatedPredictor::emulated(const runState& s) const
 {
     prediction p;
-    if (!emulators_.found(s.experiment))
+    const auto found = emulators_.find(s.experiment);
+    if (found == emulators_.end())
     {
         p.failure = "the training ensemble has no experiment " + s.experiment;
         return p;
     }
-    const emulator& e = *emulators_[s.experiment];
+    const emulator& e = found->second;
     vec y = (*e.surface)(variables(s));
-
     forAll(states_, i)
     {
         if (isVariantOf(i, s))
         {
-            y += onGrids(e, runs_[i]) - (*e.surface)(variables(states_[i]));
+            y += onGrids(e.grids, runs_[i]) - (*e.surface)(variables(states_[i]));
         }
     }
 
-    label first = 0;
-    for (const scalarList& grid : e.grids)
+    p.channels = e.grids;
+    const scalar* next = y.data();
+    for (series& c : p.channels)
     {
-        series c;
-        c.x = grid;
-        c.y.setSize(grid.size());
-        forAll(grid, k)
-        {
-            c.y[k] = y[first + k];
-        }
-        first += grid.size();
-        p.channels.append(c);
+        std::copy_n(next, c.y.size(), c.y.begin());
+        next += c.y.size();
     }
     return p;
 }
@@ -183,16 +168,10 @@ Foam::misfit::emulatedPredictor::emulatedPredictor
         {
             known_.insert(describe(states[i]), i);
         }
-        if (runs[i].ok())
+        const word& experiment = states[i].experiment;
+        if (runs[i].ok() && !emulators_.count(experiment))
         {
-            if (!emulators_.found(states[i].experiment))
-            {
-                emulators_.set
-                (
-                    states[i].experiment,
-                    build(states[i].experiment).ptr()
-                );
-            }
+            emulators_.emplace(experiment, build(experiment));
         }
     }
 }
@@ -216,13 +195,5 @@ Foam::misfit::emulatedPredictor::predict(const List<runState>& states)
 Foam::List<Foam::misfit::runState>
 Foam::misfit::emulatedPredictor::trainingEnsemble(const word& experiment) const
 {
-    List<runState> some;
-    forAll(states_, i)
-    {
-        if (makesSurface(i, experiment))
-        {
-            some.append(states_[i]);
-        }
-    }
-    return some;
+    return List<runState>(UIndirectList<runState>(states_, surfaceRuns(experiment)));
 }

@@ -23,9 +23,9 @@ bool computeSensitivities(correcting& c)
     forAll(c.elements(), i)
     {
         design.push_back(c.atBase);
-        design.back()[c.s.bounds().nParameters + i] = c.elements()[i].size;
+        design.back()[c.s.bounds.nParameters + i] = c.elements()[i].size;
     }
-    for (const vec& x : parameterDesign(c.s.bounds()))
+    for (const vec& x : parameterDesign(c.s.bounds))
     {
         design.push_back(x);
     }
@@ -90,7 +90,7 @@ scored withOneMore(const correcting& c, labelList& free)
 //- Elements taken up one after the other
 refitted fitFreely(correcting& c)
 {
-    const settings& set = c.s.set();
+    const settings& set = c.s.set;
     labelList free;
     refitted r;
     r.best = fitFree(c, free);
@@ -117,7 +117,7 @@ refitted fitFreely(correcting& c)
     }
     forAll(free, i)
     {
-        const label k = c.s.bounds().nParameters + i;
+        const label k = c.s.bounds.nParameters + i;
         c.found.elements.append
         ({
             c.elements()[free[i]], r.best.best.x[k], r.best.best.deviation(k)
@@ -155,7 +155,7 @@ bool holdsIn
     }
     state = c.s.state(other.experiment, x);
     const samples after(c.s.means(List<runState>(1, state)).first());
-    const settings& set = c.s.set();
+    const settings& set = c.s.set;
     List<heldOut>& held = c.found.held;
     return
         after.ok()
@@ -180,13 +180,13 @@ void test
     correctionFound& found = c.found;
     found.after = r.best.best.f;
     found.left = scanResidual(c.s, *c.m.calibration, r.best).p;
-    found.isEnough = found.left >= c.s.set().adequacy;
+    found.isEnough = found.left >= c.s.set.adequacy;
     compareHere(c.s, c.given, r.given, c.m.validation->uncertainty(), found.held);
     label asked = 0;
     label held = 0;
-    for (label i = 1; i < c.s.experiments().size(); ++i)
+    for (label i = 1; i < c.s.experiments.size(); ++i)
     {
-        const observed& other = c.s.experiments()[i];
+        const observed& other = c.s.experiments[i];
         const bool holds = holdsIn(c, other, r, known.at(other.experiment));
         if (other.use == purpose::validation && other.validation.size())
         {
@@ -248,7 +248,7 @@ Foam::misfit::correctionFound Foam::misfit::fitCorrection
         found.named =
             found.explained && found.transfers && found.holds && found.isEnough;
     }
-    runs += c.s.nRuns();
+    runs += c.s.nRuns;
     return found;
 }
 
@@ -263,7 +263,7 @@ void Foam::misfit::correct
 {
     // Where the fitted channels agree there is nothing to fit it to
     const bool asked =
-        f.verdict == verdictKind::unknown && s.set().correction.size()
+        f.verdict == verdictKind::unknown && s.set.correction.size()
      && f.gates.passed(gateKind::detection);
     if (!asked)
     {
@@ -279,7 +279,7 @@ void Foam::misfit::correct
     }
     if (found.named)
     {
-        nameLaw(s.set(), f);
+        nameLaw(s.set, f);
     }
 }
 
@@ -288,16 +288,16 @@ Foam::List<Foam::misfit::runState>
 Foam::misfit::correctionRuns(const study& s)
 {
     List<runState> states;
-    for (const correctionElement& e : s.set().correction)
+    for (const correctionElement& e : s.set.correction)
     {
-        for (label i = 0; i < s.set().commonRandomNumbers; ++i)
+        for (label i = 0; i < s.set.commonRandomNumbers; ++i)
         {
-            states.append(s.state(s.bounds().mean));
+            states.append(s.state(s.bounds.mean));
             states.last().replicate = i;
             states.last().strengths.insert(e.name, e.size);
         }
     }
-    states.append(s.state(s.bounds().mean));
+    states.append(s.state(s.bounds.mean));
     states.last().noting = true;
     return states;
 }

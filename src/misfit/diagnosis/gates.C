@@ -28,7 +28,7 @@ struct asked
 
     const settings& set() const
     {
-        return s.set();
+        return s.set;
     }
 
     const hypothesis& what() const
@@ -125,7 +125,7 @@ gate adequacyGate(const asked& a)
 scored winnerWithout(const asked& a, const label channel)
 {
     const scored& best = a.f.best();
-    const auto rest(a.m.calibration->without(channel, a.s.width()));
+    const auto rest(a.m.calibration->without(channel, a.s.width));
     const std::vector<scored> all
     (
         rest->score(a.set().modelDiscrepancy).all
@@ -224,7 +224,7 @@ std::map<Foam::word, Foam::misfit::covariance> Foam::misfit::askGates
 )
 {
     Info<< "Gates" << endl;
-    const settings& set = s.set();
+    const settings& set = s.set;
     asked a{s, m, mechanisms, f};
     f.gates.add({gateKind::detection, f.detection.p, set.significance});
     f.gates.addNothing(gateKind::computed);

@@ -52,13 +52,13 @@ void Foam::misfit::compareHere
     using part = heldOut::part;
     compare
     (
-        part::validation, here, purpose::validation, before, after, known, s.set(),
+        part::validation, here, purpose::validation, before, after, known, s.set,
         held
     );
     compare
     (
         part::test, here, purpose::test, before, after,
-        covariance(here.test, s.set().clockUncertainty), s.set(), held
+        covariance(here.test, s.set.clockUncertainty), s.set, held
     );
 }
 

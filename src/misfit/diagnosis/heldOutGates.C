@@ -76,10 +76,10 @@ gate degradesHeldOutGate
       ? statistics::chanceOfDegradation
         (
             *m.calibration, *m.validation, best, h.before, h.after,
-            s.set().modelDiscrepancy
+            s.set.modelDiscrepancy
         )
       : 1,
-        s.set().significance
+        s.set.significance
     );
     g.applies = worse;
     g.held = number;
@@ -132,7 +132,7 @@ void Foam::misfit::askHeldOut
     {
         if (held[i].use == purpose::validation)
         {
-            gates.add(heldOutGate(s.set(), best.what, held[i], i));
+            gates.add(heldOutGate(s.set, best.what, held[i], i));
         }
         if (held[i].what == heldOut::part::validation)
         {

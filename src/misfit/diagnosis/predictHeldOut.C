@@ -50,12 +50,12 @@ std::vector<vec> calibrationSteps
         statistics::stepsWithin
         (
             m.calibration->model(base.what), whitener(base.covariance), base.best.x,
-            s.width().head(s.bounds().nParameters)
+            s.width.head(s.bounds.nParameters)
         )
     );
     for (vec& step : steps)
     {
-        step.conservativeResizeLike(vec::Zero(s.bounds().mean.size()));
+        step.conservativeResizeLike(vec::Zero(s.bounds.mean.size()));
     }
     return steps;
 }
@@ -65,7 +65,7 @@ std::vector<vec> calibrationSteps
 //  known
 bool addNumerics(study& s, const observed& other, covariance& known)
 {
-    const label replicates = s.set().replicates;
+    const label replicates = s.set.replicates;
     const List<runState> states(uncertaintyRuns(s, other.experiment));
     const List<samples> given(s.run(states));
     mat repeats(other.validation.size(), 0);
@@ -89,7 +89,7 @@ bool addNumerics(study& s, const observed& other, covariance& known)
             );
         }
     }
-    known.addRepeats(repeats, s.set().commonRandomNumbers);
+    known.addRepeats(repeats, s.set.commonRandomNumbers);
     return confirms && (replicates < 2 || repeats.cols() > 1);
 }
 
@@ -141,7 +141,7 @@ covariance uncertainIn
     heldOutPredictions& all
 )
 {
-    covariance known(other.of(other.use), s.set().clockUncertainty);
+    covariance known(other.of(other.use), s.set.clockUncertainty);
     if (other.use == purpose::validation && given[0].ok())
     {
         if (!addNumerics(s, other, known))
@@ -194,14 +194,14 @@ void predictIn
     compare
     (
         heldOut::part::experiment, other, other.use, given[0], after, known,
-        s.set(), all.held
+        s.set, all.held
     );
     if (validates)
     {
         compare
         (
             heldOut::part::testElsewhere, other, purpose::test, given[0], after,
-            covariance(other.test, s.set().clockUncertainty), s.set(), all.held
+            covariance(other.test, s.set.clockUncertainty), s.set, all.held
         );
     }
 }
@@ -238,9 +238,9 @@ Foam::misfit::heldOutPredictions Foam::misfit::predictHeldOut
         withFault(m, e.best(), s.data(), e.lookUp(m, e.best()).given), known,
         all.held
     );
-    for (label i = 1; i < s.experiments().size(); ++i)
+    for (label i = 1; i < s.experiments.size(); ++i)
     {
-        predictIn(s, m, e, s.experiments()[i], steps, all);
+        predictIn(s, m, e, s.experiments[i], steps, all);
     }
     return all;
 }

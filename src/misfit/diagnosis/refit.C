@@ -35,7 +35,7 @@ void preferAmongRivals(const study& s, const models& m, explanations& e)
     e.sort();
 
     // What all rivals have on is the answer, if that alone is one of them
-    const std::vector<scored> near(e.rivals(s.set()));
+    const std::vector<scored> near(e.rivals(s.set));
     const std::vector<int> core(commonMechanisms(near));
     for (const scored& w : near)
     {
@@ -52,7 +52,7 @@ void preferAmongRivals(const study& s, const models& m, explanations& e)
         what.fault && what.fault->kind == faultKind::swapped;
     const bool whole =
         (what.mechanisms.size() || exchanged) && !what.unknown;
-    if (whole && scanResidual(s, *m.calibration, e.best()).p < s.set().adequacy)
+    if (whole && scanResidual(s, *m.calibration, e.best()).p < s.set.adequacy)
     {
         hypothesis part(what);
         part.unknown = true;
@@ -140,7 +140,7 @@ Foam::misfit::refitted Foam::misfit::refit
     const auto local(surface.copy());
     const auto score = [&]()
     {
-        return local->score(s.set().modelDiscrepancy);
+        return local->score(s.set.modelDiscrepancy);
     };
     refitting with;
     with.expand = [&](const scored& now)
@@ -163,7 +163,7 @@ Foam::misfit::refitted Foam::misfit::refit
     {
         return white ? score().again(now, *white) : score().withOwnCovariance(now);
     };
-    return refit(start, s.set(), s.width(), with);
+    return refit(start, s.set, s.width, with);
 }
 
 
@@ -171,7 +171,7 @@ void Foam::misfit::refitBest(study& s, const models& m, explanations& e)
 {
     Info<< "Refit of the best explanations" << endl;
     std::vector<scored>& all = e.all();
-    const label n = s.set().refit;
+    const label n = s.set.refit;
 
     // The first run of each, side by side; the passes find them done
     std::vector<vec> first;
@@ -223,7 +223,7 @@ void Foam::misfit::prefer
 )
 {
     std::vector<hypothesis> tried;
-    for (label n = 0; n < s.set().refit + 2; ++n)
+    for (label n = 0; n < s.set.refit + 2; ++n)
     {
         preferAmongRivals(s, m, e);
         const hypothesis what(e.best().what);

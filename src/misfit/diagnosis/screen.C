@@ -72,9 +72,9 @@ Foam::misfit::screened Foam::misfit::screen
 
     using reason = droppedCandidate::reason;
     screened result;
-    forAll(s.set().candidates, i)
+    forAll(s.set.candidates, i)
     {
-        const candidate& c = s.set().candidates[i];
+        const candidate& c = s.set.candidates[i];
         const auto drop = [&](const reason why)
         {
             result.dropped.append({c.name, why, "", c.bound, largest});
@@ -83,11 +83,11 @@ Foam::misfit::screened Foam::misfit::screen
         {
             drop(reason::failedAlways);
         }
-        else if (isOpposite(s.set(), c, data, changes))
+        else if (isOpposite(s.set, c, data, changes))
         {
             drop(reason::opposite);
         }
-        else if (largest > s.set().aboveBound*c.bound)
+        else if (largest > s.set.aboveBound*c.bound)
         {
             drop(reason::small);
         }

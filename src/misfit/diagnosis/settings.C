@@ -109,6 +109,27 @@ Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
 }
 
 
+Foam::misfit::vec Foam::misfit::variablesOf
+(
+    const List<parameter>& parameters,
+    const wordList& names,
+    const runState& s
+)
+{
+    const label nP = parameters.size();
+    vec x = vec::Zero(nP + names.size());
+    forAll(parameters, i)
+    {
+        x[i] = s.parameters.lookup(parameters[i].name, parameters[i].mean);
+    }
+    forAll(names, i)
+    {
+        x[nP + i] = s.strengths.lookup(names[i], 0);
+    }
+    return x;
+}
+
+
 Foam::misfit::runState Foam::misfit::stateOf
 (
     const settings& set,

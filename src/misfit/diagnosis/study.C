@@ -7,21 +7,21 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::misfit::study::setVariables(const wordList& names)
+void Foam::misfit::study::setVariables(const wordList& strengths)
 {
-    names_ = names;
-    const label nP = settings_.parameters.size();
-    const label n = nP + names.size();
-    bounds_.nParameters = nP;
-    bounds_.mean = bounds_.deviation = vec::Zero(n);
-    bounds_.lower = bounds_.upper = width_ = vec::Zero(n);
+    names = strengths;
+    const label nP = set.parameters.size();
+    const label n = nP + strengths.size();
+    bounds.nParameters = nP;
+    bounds.mean = bounds.deviation = vec::Zero(n);
+    bounds.lower = bounds.upper = width = vec::Zero(n);
     for (label i = 0; i < nP; ++i)
     {
-        const parameter& p = settings_.parameters[i];
-        bounds_.mean[i] = p.mean;
-        width_[i] = bounds_.deviation[i] = p.deviation;
-        bounds_.lower[i] = p.lower;
-        bounds_.upper[i] = p.upper;
+        const parameter& p = set.parameters[i];
+        bounds.mean[i] = p.mean;
+        width[i] = bounds.deviation[i] = p.deviation;
+        bounds.lower[i] = p.lower;
+        bounds.upper[i] = p.upper;
     }
 }
 
@@ -30,19 +30,15 @@ void Foam::misfit::study::setVariables(const wordList& names)
 
 Foam::misfit::study::study(sampler& s, const settings& set)
 :
-    sampler_(s),
-    settings_(set)
+    ask(s),
+    set(set),
+    experiments(s.data())
 {
-    wordList names;
-    for (const candidate& c : set.candidates)
-    {
-        names.append(c.name);
-    }
-    setVariables(names);
+    setVariables(namesOfAll(set.candidates));
     forAll(set.candidates, i)
     {
-        bounds_.upper[bounds_.nParameters + i] = set.candidates[i].upper;
-        width_[bounds_.nParameters + i] = set.candidates[i].strong;
+        bounds.upper[bounds.nParameters + i] = set.candidates[i].upper;
+        width[bounds.nParameters + i] = set.candidates[i].strong;
     }
 }
 
@@ -50,21 +46,16 @@ Foam::misfit::study::study(sampler& s, const settings& set)
 Foam::misfit::study Foam::misfit::study::ofCorrection() const
 {
     study other(*this);
-    wordList names;
-    for (const correctionElement& e : settings_.correction)
+    other.setVariables(namesOfAll(set.correction));
+    forAll(set.correction, i)
     {
-        names.append(e.name);
+        const label k = bounds.nParameters + i;
+        const scalar size = set.correction[i].size;
+        other.width[k] = other.bounds.deviation[k] = size;
+        other.bounds.lower[k] = -4*size;
+        other.bounds.upper[k] = 4*size;
     }
-    other.setVariables(names);
-    forAll(settings_.correction, i)
-    {
-        const label k = bounds_.nParameters + i;
-        const scalar size = settings_.correction[i].size;
-        other.width_[k] = other.bounds_.deviation[k] = size;
-        other.bounds_.lower[k] = -4*size;
-        other.bounds_.upper[k] = 4*size;
-    }
-    other.nRuns_ = 0;
+    other.nRuns = 0;
     return other;
 }
 
@@ -74,12 +65,12 @@ Foam::misfit::study Foam::misfit::study::ofCorrection() const
 Foam::wordList
 Foam::misfit::study::namesOf(const std::vector<int>& strengths) const
 {
-    wordList names;
+    wordList some;
     for (const int k : strengths)
     {
-        names.append(names_[k]);
+        some.append(names[k]);
     }
-    return names;
+    return some;
 }
 
 
@@ -90,59 +81,19 @@ std::vector<Foam::misfit::vec> Foam::misfit::study::sensitivityDesign
 ) const
 {
     std::vector<std::pair<scalar, scalar>> both;
-    for (const candidate& c : settings_.candidates)
+    for (const candidate& c : set.candidates)
     {
         both.push_back({c.weak, c.strong});
     }
-    return statistics::sensitivityDesign(bounds_, around, strengths, both);
-}
-
-
-Foam::misfit::runState
-Foam::misfit::study::state(const vec& variables) const
-{
-    return state(data().experiment, variables);
-}
-
-
-Foam::misfit::runState Foam::misfit::study::state
-(
-    const word& experiment,
-    const vec& variables
-) const
-{
-    return stateOf(settings_, experiment, names_, variables);
-}
-
-
-Foam::misfit::vec Foam::misfit::study::variables(const runState& s) const
-{
-    vec x = bounds_.mean;
-    forAll(settings_.parameters, i)
-    {
-        x[i] = s.parameters.lookup(settings_.parameters[i].name, x[i]);
-    }
-    forAll(names_, i)
-    {
-        x[bounds_.nParameters + i] = s.strengths.lookup(names_[i], 0);
-    }
-    return x;
-}
-
-
-Foam::List<Foam::misfit::samples>
-Foam::misfit::study::run(const List<runState>& states)
-{
-    nRuns_ += states.size();
-    return sampler_(states);
+    return statistics::sensitivityDesign(bounds, around, strengths, both);
 }
 
 
 Foam::List<Foam::misfit::samples>
 Foam::misfit::study::means(const List<runState>& states)
 {
-    nRuns_ += states.size()*settings_.commonRandomNumbers;
-    return sampler_.means(states, settings_.commonRandomNumbers);
+    nRuns += states.size()*set.commonRandomNumbers;
+    return ask.means(states, set.commonRandomNumbers);
 }
 
 
@@ -160,7 +111,7 @@ Foam::misfit::study::means(const std::vector<vec>& variables)
 
 void Foam::misfit::study::leaveOut(const runState& s, const string& why)
 {
-    failed_.append({s, why});
+    failed.append({s, why});
     Info<< "    left out: " << describe(s).c_str() << ": " << why.c_str() << endl;
 }
 
@@ -171,12 +122,12 @@ Foam::misfit::models::models(const study& s)
     (
         new sampledModel
         (
-            s.data().calibration, s.bounds(), s.set().clockUncertainty
+            s.data().calibration, s.bounds, s.set.clockUncertainty
         )
     ),
     validation
     (
-        new sampledModel(s.data().validation, s.bounds(), s.set().clockUncertainty)
+        new sampledModel(s.data().validation, s.bounds, s.set.clockUncertainty)
     )
 {}
 

@@ -28,8 +28,8 @@ void Foam::misfit::tellApart
     for (label i = 0; i < n; ++i)
     {
         vec with = at;
-        with[s.bounds().nParameters + mechanisms[i]] =
-            s.set().candidates[mechanisms[i]].strong;
+        with[s.bounds.nParameters + mechanisms[i]] =
+            s.set.candidates[mechanisms[i]].strong;
         effects.col(i) =
             white(vec(calibration.surface()(with) - calibration.surface()(at)));
     }
@@ -103,7 +103,7 @@ Foam::misfit::advice Foam::misfit::measurementBetween
             result.at = channel.x[i];
         }
     }
-    if (result.times > s.set().tellingApart)
+    if (result.times > s.set.tellingApart)
     {
         result.what = advice::kind::measure;
     }

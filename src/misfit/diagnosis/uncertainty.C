@@ -26,7 +26,7 @@ void checkBases(study& s)
         {
             WarningInFunction
                 << "The base of the experiment "
-                << s.experiments()[i].experiment << " did not run: "
+                << s.experiments[i].experiment << " did not run: "
                 << given[i].failure.c_str() << nl
                 << "It will confirm nothing until that is mended" << endl;
         }
@@ -43,7 +43,7 @@ void checkFailure
     const string& why
 )
 {
-    if (run >= s.set().replicates)
+    if (run >= s.set.replicates)
     {
         const word& name = state.resolution;
         FatalErrorInFunction
@@ -53,11 +53,11 @@ void checkFailure
             << " in system/misfitDict, or take it out. Finished runs are"
             << " kept" << exit(FatalError);
     }
-    if (run < s.set().commonRandomNumbers)
+    if (run < s.set.commonRandomNumbers)
     {
         FatalErrorInFunction
             << "Replicate " << run << ", one of the "
-            << s.set().commonRandomNumbers << " with common random numbers"
+            << s.set.commonRandomNumbers << " with common random numbers"
             << " that every state is computed with, failed: "
             << why.c_str() << nl << "Mend 'replicateChanges'"
             << " in system/misfitDict, or ask for fewer with 'commonRandomNumbers'."
@@ -136,9 +136,9 @@ void checkReplicates
 Foam::List<Foam::misfit::runState> Foam::misfit::bases(const study& s)
 {
     List<runState> states;
-    for (const observed& o : s.experiments())
+    for (const observed& o : s.experiments)
     {
-        states.append(s.state(o.experiment, s.bounds().mean));
+        states.append(s.state(o.experiment, s.bounds.mean));
     }
     return states;
 }
@@ -151,14 +151,14 @@ Foam::List<Foam::misfit::runState> Foam::misfit::uncertaintyRuns
 )
 {
     List<runState> states;
-    for (label replicate = 0; replicate < s.set().replicates; ++replicate)
+    for (label replicate = 0; replicate < s.set.replicates; ++replicate)
     {
-        states.append(s.state(experiment, s.bounds().mean));
+        states.append(s.state(experiment, s.bounds.mean));
         states.last().replicate = replicate;
     }
-    for (const word& name : s.set().resolutions)
+    for (const word& name : s.set.resolutions)
     {
-        states.append(s.state(experiment, s.bounds().mean));
+        states.append(s.state(experiment, s.bounds.mean));
         states.last().resolution = name;
     }
     return states;
@@ -168,7 +168,7 @@ Foam::List<Foam::misfit::runState> Foam::misfit::uncertaintyRuns
 void Foam::misfit::addUncertainty(study& s, models& m)
 {
     Info<< "Uncertainty" << endl;
-    const settings& set = s.set();
+    const settings& set = s.set;
     const List<runState> states(uncertaintyRuns(s, s.data().experiment));
     checkBases(s);
     const List<samples> given(s.run(states));

@@ -211,8 +211,8 @@ void setStrengths(const study& s, finding& f)
     const scored& best = f.best();
     for (label i = 0; i < count(best.what.mechanisms); ++i)
     {
-        const label k = s.bounds().nParameters + i;
-        const word& name = s.names()[best.what.mechanisms[i]];
+        const label k = s.bounds.nParameters + i;
+        const word& name = s.names[best.what.mechanisms[i]];
         if (!f.partly || f.names.found(name))
         {
             f.strengths.append
@@ -272,7 +272,7 @@ bool Foam::misfit::finding::hasAllThatIsNamed(const hypothesis& h) const
 void Foam::misfit::decide(const study& s, const models& m, finding& f)
 {
     Info<< "Verdict" << endl;
-    const settings& set = s.set();
+    const settings& set = s.set;
     statistics::setProbabilities(f.explained.all(), set.temperature);
     setPosterior(f);
     f.rivals = f.explained.rivals(set);
