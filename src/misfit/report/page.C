@@ -9,8 +9,6 @@
 
 #include "base64Layer.H"
 
-#include <kainjow/mustache.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -37,40 +35,6 @@ string percent(const scalar share)
         share > 10 ? "more than 1000 %"
       : share < -10 ? "less than -1000 %"
       : shortNumber(std::round(100*share)) + " %";
-}
-
-
-//- What the template asks for: numbers with four digits, and by "x?" whether a list x
-//  has anything. Text that is empty is as good as none
-kainjow::mustache::data filling(const json& from)
-{
-    using namespace kainjow::mustache;
-    if (from.is_object())
-    {
-        object all;
-        for (const auto& [key, value] : from.items())
-        {
-            all.emplace(key, filling(value));
-            if (value.is_array())
-            {
-                all.emplace(key + '?', !value.empty());
-            }
-        }
-        return all;
-    }
-    if (from.is_array())
-    {
-        list all;
-        std::transform(from.begin(), from.end(), std::back_inserter(all), &filling);
-        return all;
-    }
-    if (from.is_boolean() || from.is_null() || from == "")
-    {
-        return from == true;
-    }
-    return
-        from.is_string() ? from.get<std::string>()
-      : from.is_number_float() ? shortNumber(from) : from.dump();
 }
 
 
@@ -329,6 +293,5 @@ std::string Foam::misfit::reportHtml
     page["uncertain"] =
         each(f.data.segments, [&f](const segment& s) { return uncertain(f, s); });
 
-    kainjow::mustache::mustache whole(ofProject("report.html"));
-    return whole.render(filling(page));
+    return filled("report.html", page);
 }

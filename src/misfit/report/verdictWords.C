@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A finding in words: the verdict.
+// A finding in words: the verdict, and how sure it is.
 
 #include "words.H"
+#include "record.H"
+#include "report.H"
+
+#include <algorithm>
 
 namespace
 {
@@ -9,15 +13,21 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
-//- The gates that fail, without detection
-wordList failedGates(const finding& f)
+//- The best explanation that has more on than the one that is judged; null if it does
+//  not
+const scored* betterWithMore(const finding& f)
 {
-    wordList names;
-    for (const gateKind kind : f.gates.failed())
+    for (const scored& w : f.explained.all())
     {
-        names.append(gateNames[kind]);
+        const bool more =
+            w.what.mechanisms.size() > f.best().what.mechanisms.size()
+         && w.what.contains(f.best().what);
+        if (more && w.score == f.explained.lowestScore())
+        {
+            return &w;
+        }
     }
-    return names;
+    return nullptr;
 }
 
 
@@ -25,211 +35,193 @@ wordList failedGates(const finding& f)
 string theBest(const finding& f)
 {
     const hypothesis& what = f.best().what;
-    if (what.isOnlyUnknown())
-    {
-        return "that it is something that is not in the library";
-    }
+    json facts = {{"onlyUnknown", what.isOnlyUnknown()}};
     if (what.fault)
     {
-        return
-            "the best explanation, a fault of " + what.fault->channel + " ("
-          + kindOf(*what.fault) + ")";
+        facts["fault"] =
+            {{"channel", what.fault->channel}, {"kind", kindOf(*what.fault)}};
     }
-    for (const scored& w : f.explained.all())
+    else if (!what.isOnlyUnknown())
     {
-        const bool more =
-            w.what.mechanisms.size() > what.mechanisms.size()
-         && w.what.contains(what);
-        if (more && w.score == f.explained.lowestScore())
+        const scored* more = betterWithMore(f);
+        facts[more ? "simple" : "alone"] = describe(what, f.library);
+        facts["more"] = more ? describe(more->what, f.library) : string();
+    }
+    return said("theBest", facts);
+}
+
+
+//- Why the cause is unknown
+void addUnknown(json& facts, const finding& f)
+{
+    const std::vector<gateKind> failed(f.gates.failed());
+    const auto fails = [&failed](const gateKind kind)
+    {
+        return statistics::contains(failed, kind);
+    };
+    const bool notRun = failed == std::vector<gateKind>{gateKind::computed};
+    const bool unproved = f.isUnproved();
+    facts["unproved"] = unproved;
+    facts["notRun"] = !unproved && notRun;
+    facts["missing"] = !unproved && !notRun;
+    facts["explains"] = !f.best().what.isNone() && !f.best().what.isOnlyUnknown();
+    facts["agreesElsewhere"] =
+        !fails(gateKind::heldOut) && !fails(gateKind::degradesHeldOut)
+     && !fails(gateKind::transfer);
+    facts["degrades"] = fails(gateKind::degradesHeldOut);
+}
+
+
+//- The fault of the best explanation with its size, and how sure that is
+void addFault(json& facts, const finding& f)
+{
+    const sensorFault& fault = *f.best().what.fault;
+    const fitted& best = f.best().best;
+    const vec size = best.x.tail(fault.size());
+    segment at(f.data.segments.front());
+    for (const segment& s : f.data.segments)
+    {
+        at = s.name == fault.channel ? s : at;
+    }
+    facts["fault"] = describe(fault, at, size);
+    if (size.size() == 1 && fault.hasSize())
+    {
+        const scalar deviation = best.deviation(best.x.size() - 1);
+        if (deviation > 0 && mag(size[0]) > deviation)
         {
-            return
-                "the best simple explanation, " + describe(what, f.library)
-              + " (" + describe(w.what, f.library)
-              + " match better, but by too little to be told from it)";
+            facts["interval"] = shortNumber(200*deviation/mag(size[0]), 2);
+        }
+        facts["pinned"] = best.pinned.back() && mag(size[0]) > SMALL;
+    }
+}
+
+
+string alternatives(const finding& f)
+{
+    const auto isMixed = [](const scored& w)
+    {
+        return
+            w.what.mechanisms.size() > 1
+         || (w.what.unknown && w.what.mechanisms.size());
+    };
+    if (std::none_of(f.alternatives.begin(), f.alternatives.end(), isMixed))
+    {
+        return inWords(answerOf(f), "or");
+    }
+    return joined(f.alternatives, ", or ", [&f](const scored& w)
+    {
+        return
+            describe(w.what, f.library)
+          + (w.what.mechanisms.size() > 1 ? " together" : "");
+    });
+}
+
+
+//- True if both of a set at once are as good as one of them
+bool mayBeTogether(const finding& f)
+{
+    const auto hasOne = [](const scored& w) { return w.what.mechanisms.size() == 1; };
+    const auto hasBoth = [&f](const scored& w)
+    {
+        const auto has = [&w](const scored& one)
+        {
+            return statistics::contains
+            (
+                w.what.mechanisms, one.what.mechanisms.front()
+            );
+        };
+        return
+            w.what.mechanisms.size() == 2
+         && std::all_of(f.alternatives.begin(), f.alternatives.end(), has);
+    };
+    return
+        f.alternatives.size() == 2
+     && std::all_of(f.alternatives.begin(), f.alternatives.end(), hasOne)
+     && std::any_of(f.rivals.begin(), f.rivals.end(), hasBoth);
+}
+
+
+//- The strengths; said of the first: what they were fitted with, if not what is named
+json strengths(const finding& f)
+{
+    const bool ofMore = f.verdict == verdictKind::set || f.partly;
+    string asFitted(ofMore ? describe(f.best().what, f.library) : string());
+    return each(f.strengths, [&asFitted](const foundStrength& s) -> json
+    {
+        return
+        {
+            {"asFitted", std::exchange(asFitted, string())},
+            {"name", s.name},
+            {"value", shortNumber(s.value, 3)},
+            {"interval", shortNumber(2*s.deviation, 3)},
+            {"pinned", s.pinned},
+            {"up", s.value > 0}
+        };
+    });
+}
+
+
+//- Of a set: what wins without which channels
+json winsWithout(const finding& f)
+{
+    json all = json::array();
+    for (const scored& one : f.alternatives)
+    {
+        wordList channels;
+        for (const winner& w : f.winners)
+        {
+            const hypothesis& other = w.what.what;
+            if (other.fault == one.what.fault && other.hasMechanismsOf(one.what))
+            {
+                channels.append(w.channel);
+            }
+        }
+        if (channels.size())
+        {
+            all.push_back
+            ({
+                {"first", all.empty()},
+                {"channels", inWords(channels, "or")},
+                {"name", describe(one.what, f.library)}
+            });
         }
     }
-    return "the best explanation, " + describe(what, f.library);
+    return all;
 }
 
 
-string whatFails(const finding& f)
+//- Mechanisms, or a set
+void addLeftOut(json& facts, const finding& f)
 {
-    if (f.best().what.isNone() || f.best().what.isOnlyUnknown())
+    facts["leftOut"] = true;
+    facts["names"] = inWords(f.names, "and");
+    facts["weakened"] = f.weakened;
+    facts["alternatives"] = alternatives(f);
+    facts["mayBeTogether"] = mayBeTogether(f);
+    facts["strengths"] = strengths(f);
+    facts["winsWithout"] = winsWithout(f);
+    facts["tried"] =
+        f.gates.applied(gateKind::heldOut) || f.gates.applied(gateKind::transfer);
+
+    // A lead of less is not worth a mention (Kass & Raftery 1995, J. Am. Stat.
+    // Assoc. 90:777)
+    const scalar mention = 2;
+    const scored* more = betterWithMore(f);
+    if (f.verdict == verdictKind::named && more && more->score < f.best().score - mention)
     {
-        return ".";
+        facts["mayBeAdded"] = describe(more->what.known(), f.library);
     }
-    const wordList failed(failedGates(f));
-    const bool agreesElsewhere =
-        f.gates.passed(gateKind::heldOut) && f.gates.passed(gateKind::degradesHeldOut)
-     && f.gates.passed(gateKind::transfer);
-    return
-        " well enough: " + theBest(f) + ", "
-      + (failed.empty() ? string("leads too little")
-          : "does not pass " + inWords(failed, "and"))
-      + (agreesElsewhere ? ". Two faulty sensors look like that, too." : ".")
-      + (
-            f.gates.passed(gateKind::degradesHeldOut) ? ""
-          : " It makes the match of held-out channels worse."
-        );
-}
-
-
-string whatWasNotRun(const finding& f)
-{
-    return
-        f.failedExperiments.empty()
-      ? "It cannot be decided: the solver failed with " + theBest(f)
-      + ", at the strength that was fitted."
-      : "It cannot be decided: " + theBest(f)
-      + ", is not confirmed, as the solver fails in experiment "
-      + inWords(f.failedExperiments, "and") + ".";
-}
-
-
-string whatGainsTooLittle(const finding& f)
-{
-    string words("Recording and simulation part, but too little to say why");
-    if (!f.best().what.isNone())
-    {
-        words +=
-            ": " + theBest(f) + ", does not pass evidence";
-    }
-    return words + '.';
-}
-
-
-string whatElsewhereSays(const finding& f)
-{
+    facts["stillOff"] = json::array();
     for (const heldOut& h : f.tested)
     {
-        if (h.use == purpose::validation && h.squareBefore >= h.limitOfNothing)
+        if (h.use == purpose::validation && h.squareAfter > h.limitOfMatch)
         {
-            return
-                "held-out ones do not (they do not pass "
-              + inWords(failedGates(f), "and") + "). Fit those too to learn why.";
+            facts["stillOff"].push_back
+            ({
+                {"what", describe(h)}, {"square", shortNumber(h.squareAfter, 3)}
+            });
         }
     }
-    return
-        "but the solver fails in experiment " + inWords(f.failedExperiments, "and")
-      + ", which should confirm it.";
-}
-
-
-string whatCouldNotBeAsked(const finding& f)
-{
-    const wordList& names = f.failing;
-    return
-        names.empty() ? string()
-      : " Not asked, as the solver failed with it: " + inWords(names, "and")
-      + '.';
-}
-
-
-string ofNone(const finding& f)
-{
-    return
-        f.gates.passed(gateKind::detection) ? whatGainsTooLittle(f)
-      : string("Recording and calibrated simulation agree within what is"
-            " uncertain.");
-}
-
-
-string ofUnknown(const finding& f)
-{
-    if (f.isUnproved())
-    {
-        return
-            "It cannot be decided: " + theBest(f) + ", leads something that is not"
-            " in the library by too little to be sure.";
-    }
-    if (failedGates(f) == wordList({gateNames[gateKind::computed]}))
-    {
-        return whatWasNotRun(f);
-    }
-    return
-        "Something is missing, and nothing in the library explains it"
-      + whatFails(f)
-      + (
-            f.failedExperiments.empty() ? string()
-          : " The solver fails in experiment "
-          + inWords(f.failedExperiments, "and") + '.'
-        );
-}
-
-
-//- Without what the free correction says
-string describeVerdict(const finding& f)
-{
-    const bool detected = f.gates.passed(gateKind::detection);
-    if (f.verdict != verdictKind::none && !detected)
-    {
-        return
-            "The channels that were fitted agree with the calibrated simulation, "
-          + whatElsewhereSays(f);
-    }
-    switch (f.verdict)
-    {
-        case verdictKind::none:
-            return ofNone(f);
-        case verdictKind::unknown:
-            return ofUnknown(f);
-        case verdictKind::sensor:
-            return
-                "A sensor, or something that no other channel sees: "
-              + faultInWords(f) + '.';
-        case verdictKind::registration:
-            return
-                "Not physics: " + faultInWords(f) + '.'
-              + (
-                    f.hasMore()
-                  ? " There is more to it, which these channels do not settle."
-                  : ""
-                );
-        default:
-            return leftOutInWords(f);
-    }
-}
-
-//- What the confidence is the confidence of
-string whatIsSure(const finding& f)
-{
-    switch (f.verdict)
-    {
-        case verdictKind::none:
-            return
-                "that nothing missing and no fault is needed to explain the"
-                " recordings";
-        case verdictKind::sensor:
-        case verdictKind::registration:
-            return "that the fault is at " + inWords(f.names, "and");
-        case verdictKind::set:
-            return "that one of these is at least part of what is wrong";
-        case verdictKind::unknown:
-            return "that no candidate and no fault of one sensor explains it";
-        default:
-            return
-                f.correction.named ? "that what is missing follows this law"
-              : f.names.size() == 1
-              ? "that this is at least part of what is missing"
-              : "that these are at least part of what is missing";
-    }
-}
-
-
-//- What the number is from
-string sureFrom(const finding& f)
-{
-    if (f.grounds.size() == 0)
-    {
-        return
-            ", by its score alone: no case whose cause was known had such a law.";
-    }
-    const bool ofClock =
-        f.verdict != verdictKind::registration
-     || f.best().what.fault->kind == faultKind::clock;
-    return
-        ", the fraction of such verdicts that was right in cases whose cause was"
-        " known" + string(ofClock ? "." : ", in all of which it was the clock.");
 }
 
 } // End anonymous namespace
@@ -250,14 +242,70 @@ Foam::wordList Foam::misfit::answerOf(const finding& f)
 Foam::string Foam::misfit::describe(const finding& f)
 {
     const correctionFound& c = f.correction;
-    return
-        c.named ? "Left out, and in no candidate: " + describe(c)
-      : describeVerdict(f) + whatCouldNotBeAsked(f)
-      + (c.asked ? ' ' + describe(c) : string());
+    if (c.named)
+    {
+        return "Left out, and in no candidate: " + describe(c);
+    }
+    const bool detected = f.gates.passed(gateKind::detection);
+    const bool isNamed = f.verdict == verdictKind::named;
+    wordList failed;
+    for (const gateKind kind : f.gates.failed())
+    {
+        failed.append(gateNames[kind]);
+    }
+    const auto parts = [](const heldOut& h)
+    {
+        return h.use == purpose::validation && h.squareBefore >= h.limitOfNothing;
+    };
+    json facts =
+    {
+        {verdictNames[f.verdict], true},
+        {"detected", detected},
+        {"elsewhere", f.verdict != verdictKind::none && !detected},
+        {"partsElsewhere", std::any_of(f.tested.begin(), f.tested.end(), parts)},
+        {"failed", inWords(failed, "and")},
+        {"failedExperiments", inWords(f.failedExperiments, "and")},
+        {"failing", inWords(f.failing, "and")},
+        {"best", theBest(f)},
+        {"bestIsNone", f.best().what.isNone()},
+        {
+            "hasMore",
+            (isNamed || f.verdict == verdictKind::registration) && f.hasMore()
+        }
+    };
+    if (f.verdict == verdictKind::unknown)
+    {
+        addUnknown(facts, f);
+    }
+    else if (f.blamesChannel())
+    {
+        addFault(facts, f);
+    }
+    else if (f.verdict != verdictKind::none)
+    {
+        addLeftOut(facts, f);
+    }
+    return said("verdict", facts) + (c.asked ? ' ' + describe(c) : string());
 }
 
 
 Foam::string Foam::misfit::sureThat(const finding& f)
 {
-    return whatIsSure(f) + sureFrom(f);
+    return said
+    (
+        "sure",
+        {
+            {verdictNames[f.verdict], true},
+            {"ofFault", f.blamesChannel()},
+            {"names", inWords(f.names, "and")},
+            {"one", f.names.size() == 1},
+            {"law", f.correction.named},
+            {"grounds", f.grounds.size() > 0},
+            {
+                "ofClock",
+                f.verdict != verdictKind::registration
+             || f.best().what.fault->kind == faultKind::clock
+            }
+        }
+    );
 }

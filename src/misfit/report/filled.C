@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Templates of etc/misfit, filled with a record.
+
+#include "record.H"
+#include "report.H"
+
+#include <kainjow/mustache.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::misfit;
+using namespace kainjow::mustache;
+
+data filling(const json& from)
+{
+    if (from.is_object())
+    {
+        object all;
+        for (const auto& [key, value] : from.items())
+        {
+            all.emplace(key, filling(value));
+            if (value.is_array())
+            {
+                all.emplace(key + '?', !value.empty());
+            }
+        }
+        return all;
+    }
+    if (from.is_array())
+    {
+        list all;
+        std::transform(from.begin(), from.end(), std::back_inserter(all), &filling);
+        return all;
+    }
+    if (from.is_boolean() || from.is_null() || from == "")
+    {
+        return from == true;
+    }
+    return
+        from.is_string() ? from.get<std::string>()
+      : from.is_number_float() ? shortNumber(from) : from.dump();
+}
+
+
+//- Text without line breaks and indentation, which are for its reader alone
+std::string onOneLine(const std::string& text)
+{
+    std::istringstream is(text);
+    std::string all;
+    for (std::string line; std::getline(is, line);)
+    {
+        all += line.substr(std::min(line.find_first_not_of(' '), line.size()));
+    }
+    return all;
+}
+
+} // End anonymous namespace
+
+
+std::string Foam::misfit::filled(const word& file, const json& from)
+{
+    mustache whole(ofProject(file));
+    return whole.render(filling(from));
+}
+
+
+Foam::string Foam::misfit::said(const word& part, const json& facts)
+{
+    static mustache words(onOneLine(ofProject("words")));
+    words.set_custom_escape([](const std::string& text) { return text; });
+    return words.render(object{{part, filling(facts)}});
+}
