@@ -280,9 +280,9 @@ TEST(misfitConfidence, aVerdictWithoutSomeOfItsRunsIsNoSurerThanItsScores)
     const finding f(diagnose(s));
     ASSERT_EQ(f.verdict, verdictKind::unknown);
     scalar unknown = 0;
-    for (const auto& p : f.posterior)
+    for (const scored& w : f.explained.all())
     {
-        unknown += p.first.isOnlyUnknown() ? p.second : 0;
+        unknown += w.what.isOnlyUnknown() ? w.probability : 0;
     }
     EXPECT_LE(f.confidence, unknown);
 }

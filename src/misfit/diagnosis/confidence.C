@@ -32,6 +32,18 @@ bool hasOneOfSet(const finding& f, const scored& w)
 }
 
 
+//- It has all on that is named, whatever else
+bool hasAllThatIsNamed(const finding& f, const hypothesis& h)
+{
+    label n = 0;
+    for (const int m : h.mechanisms)
+    {
+        n += f.names.found(f.library[m]);
+    }
+    return n && n == f.names.size();
+}
+
+
 //- True if an explanation says what the verdict says
 bool agrees(const finding& f, const scored& w)
 {
@@ -49,7 +61,7 @@ bool agrees(const finding& f, const scored& w)
         case verdictKind::set:
             return hasOneOfSet(f, w);
         default:
-            return f.hasAllThatIsNamed(w.what);
+            return hasAllThatIsNamed(f, w.what);
     }
 }
 

@@ -241,32 +241,7 @@ runState namedState(const study& s, const models& m, const finding& f)
 }
 
 
-void setPosterior(finding& f)
-{
-    for (const scored& w : f.explained.all())
-    {
-        f.posterior.push_back({w.what, w.probability});
-    }
-    std::stable_sort
-    (
-        f.posterior.begin(),
-        f.posterior.end(),
-        [](const auto& a, const auto& b) { return a.second > b.second; }
-    );
-}
-
 } // End anonymous namespace
-
-
-bool Foam::misfit::finding::hasAllThatIsNamed(const hypothesis& h) const
-{
-    label n = 0;
-    for (const int m : h.mechanisms)
-    {
-        n += names.found(library[m]);
-    }
-    return n && n == names.size();
-}
 
 
 void Foam::misfit::decide(const study& s, const models& m, finding& f)
@@ -274,7 +249,6 @@ void Foam::misfit::decide(const study& s, const models& m, finding& f)
     Info<< "Verdict" << endl;
     const settings& set = s.set;
     statistics::setProbabilities(f.explained.all(), set.temperature);
-    setPosterior(f);
     f.rivals = f.explained.rivals(set);
     choose(s, f);
 

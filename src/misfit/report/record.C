@@ -5,6 +5,7 @@
 #include "report.H"
 #include "words.H"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -187,17 +188,23 @@ json uncertainty(const finding& f)
 }
 
 
+//- Of each explanation, the likeliest first
 json posterior(const finding& f)
 {
-    json all = json::array();
-    for (const auto& [what, probability] : f.posterior)
+    std::vector<scored> list(f.explained.all());
+    std::stable_sort(list.begin(), list.end(), [](const scored& a, const scored& b)
     {
-        if (probability > 1e-4)
+        return a.probability > b.probability;
+    });
+    json all = json::array();
+    for (const scored& w : list)
+    {
+        if (w.probability > 1e-4)
         {
             all.push_back
             ({
-                {"explanation", describe(what, f.library)},
-                {"probability", probability}
+                {"explanation", describe(w.what, f.library)},
+                {"probability", w.probability}
             });
         }
     }
