@@ -58,18 +58,16 @@ bool isMeant(const finding& f, const word& name)
 //- What the finding does to the misfit of held-out data
 string outcome(const heldOut& h)
 {
-    // A mean square of 1 is chance
-    if (h.squareBefore < h.limitOfMatch)
-    {
-        return
-            h.squareAfter < h.limitOfMatch
-          ? "there was no misfit beyond chance: it neither confirms nor denies"
-          : "a misfit comes that was not there";
-    }
     const scalar share = removed(h);
-    return
-        share > 0 ? percent(share) + " of the misfit is gone"
-      : "the misfit does not get smaller";
+    return said
+    (
+        "outcome",
+        {
+            {"wasOff", h.squareBefore >= h.limitOfMatch},
+            {"isOff", h.squareAfter >= h.limitOfMatch},
+            {"gone", share > 0 ? percent(share) : string()}
+        }
+    );
 }
 
 
@@ -226,25 +224,18 @@ void addToCorrection(json& all, const correctionFound& c)
 
 
 //- What a picture shows, by the name of its file
-string caption(const finding& f, const std::string& name)
+string caption(const finding& f, const word& name)
 {
-    if (name == "map")
+    json facts = {{name, true}};
+    if (name.find("heldOut") == 0)
     {
-        return
-            "Each channel over time or distance: red where the recording is higher than the"
-            " simulation, blue where it is lower, in standard deviations.";
+        const heldOut& h = f.held[std::stoi(name.substr(7)) - 1];
+        const bool changes = h.squareBefore != h.squareAfter;
+        facts["heldOut"] = describe(h);
+        facts["before"] = number(h.squareBefore);
+        facts["after"] = changes ? number(h.squareAfter) : string();
     }
-    if (name == "fitted")
-    {
-        return "The channels that were fitted.";
-    }
-    const heldOut& h = f.held[std::stoi(name.substr(7)) - 1];
-    return
-        "Not used to find it: " + describe(h) + ". Mean square of the misfit "
-      + number(h.squareBefore)
-      + (h.squareBefore == h.squareAfter ? string()
-          : string(" before, " + number(h.squareAfter) + " after"))
-      + " (1: as good as it can be).";
+    return said("caption", facts);
 }
 
 
