@@ -177,11 +177,15 @@ Foam::misfit::plan(sampler& ask, const settings& set)
     }
     if (set.correction.size())
     {
+        const study c(s.ofCorrection());
+        List<runState> states(replicated(c, elementDesign(c, c.bounds.mean)));
+        states.append(c.state(c.bounds.mean));
+        states.last().noting = true;
         stages.append
         ({
             "Free correction, only where the verdict would be unknown (around the"
             " calibrated state, not the one shown)",
-            correctionRuns(s)
+            states
         });
     }
     return stages;

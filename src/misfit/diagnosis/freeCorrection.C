@@ -20,14 +20,9 @@ using namespace Foam::misfit;
 bool computeSensitivities(correcting& c)
 {
     std::vector<vec> design(1, c.atBase);
-    forAll(c.elements(), i)
+    for (const auto& more : {elementDesign(c.s, c.atBase), parameterDesign(c.s.bounds)})
     {
-        design.push_back(c.atBase);
-        design.back()[c.s.bounds.nParameters + i] = c.elements()[i].size;
-    }
-    for (const vec& x : parameterDesign(c.s.bounds))
-    {
-        design.push_back(x);
+        design.insert(design.end(), more.begin(), more.end());
     }
     const List<samples> given(c.m.addRuns(c.s, design));
     forAll(c.elements(), i)
@@ -284,20 +279,14 @@ void Foam::misfit::correct
 }
 
 
-Foam::List<Foam::misfit::runState>
-Foam::misfit::correctionRuns(const study& s)
+std::vector<Foam::misfit::vec>
+Foam::misfit::elementDesign(const study& s, const vec& around)
 {
-    List<runState> states;
-    for (const correctionElement& e : s.set.correction)
+    const List<correctionElement>& elements = s.set.correction;
+    std::vector<vec> design(elements.size(), around);
+    forAll(elements, i)
     {
-        for (label i = 0; i < s.set.commonRandomNumbers; ++i)
-        {
-            states.append(s.state(s.bounds.mean));
-            states.last().replicate = i;
-            states.last().strengths.insert(e.name, e.size);
-        }
+        design[i][s.bounds.nParameters + i] = elements[i].size;
     }
-    states.append(s.state(s.bounds.mean));
-    states.last().noting = true;
-    return states;
+    return design;
 }
