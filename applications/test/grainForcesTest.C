@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What grains take from the fluid around them, and what their forces sum to.
+
+#include "grainsInWater.H"
+#include "scatteredGrains.H"
+#include "testMesh.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+
+namespace
+{
+
+//- Grains of 20 mm anywhere in a unit cube; the first at x = 1/2, where two
+//  ranks meet
+struct cubeOfGrains
+{
+    testMesh box;
+
+    standingGrains phase;
+
+    grainExchange exchange;
+
+    voidFraction pores;
+
+    cubeOfGrains()
+    :
+        phase(box.mesh()),
+        exchange(box.mesh()),
+        pores(exchange, entries("model sphereCaps; smoothing { model none; }"))
+    {
+        pointField places(randomPoints(200));
+        places = 0.1*vector::one + 0.8*places;
+        places[0].x() = 0.499;
+        place(phase, places, 0.01);
+        locate();
+    }
+
+    void locate()
+    {
+        exchange.locate(phase);
+        pores.update();
+    }
+
+    const particleMeshMapping& mapping() const
+    {
+        return pores.mapping();
+    }
+
+    //- Mean of cell values around each grain
+    template<class T>
+    Field<T> around(const Field<T>& cells) const
+    {
+        return mapping().gather(cells);
+    }
+
+    //- Mean of a member of what was reached around each grain
+    template<class Set, class T>
+    Field<T> around(const List<Set>& reached, T Set::*member) const
+    {
+        Field<T> result(exchange.grains().size());
+        forAll(result, i)
+        {
+            result[i] = mapping().weights().mean(reached, i).*member;
+        }
+        return result;
+    }
+
+    closuresInUse laws(const string& text) const
+    {
+        return closuresInUse
+        (
+            exchange.mesh(), entries("drag { model none; } " + text)
+        );
+    }
+
+    //- Water whose density and velocity change along x
+    fluidFields layers() const
+    {
+        const scalarField x
+        (
+            exchange.mesh().C().primitiveField().component(vector::X)
+        );
+        fluidFields fluid(water(x.size()));
+        fluid.rho = 1000 + 100*x;
+        fluid.U = x*vector(0.4, 0.1, 0);
+        fluid.vorticity = x*vector(0, 0, 5);
+        fluid.convection = x*vector(0.2, 0.1, 0);
+        fluid.viscousForce = x*vector(30, 0, -7);
+        return fluid;
+    }
+};
+
+
+template<class T>
+void expectSame(const Field<T>& is, const Field<T>& should)
+{
+    ASSERT_EQ(is.size(), should.size());
+    EXPECT_LE(sum(mag(is - should)), 1e-13*sum(mag(should)));
+}
+
+
+void expectTheCells()
+{
+    const cubeOfGrains grains;
+    const fluidFields fluid(grains.layers());
+    const List<fluidAtGrain> is(fluidAround(grains.mapping(), fluid));
+    const auto around = [&](const auto member)
+    {
+        return grains.around(is, member);
+    };
+
+    expectSame(around(&fluidAtGrain::rho), grains.around(fluid.rho));
+    expectSame(around(&fluidAtGrain::rhoAround), grains.around(fluid.rho));
+    expectSame(around(&fluidAtGrain::mu), grains.around(fluid.mu));
+    expectSame
+    (
+        around(&fluidAtGrain::voidFraction), grains.around(fluid.voidFraction)
+    );
+    expectSame
+    (
+        around(&fluidAtGrain::momentum),
+        grains.around(vectorField(fluid.rho*fluid.U))
+    );
+    expectSame
+    (
+        around(&fluidAtGrain::vorticity),
+        grains.around(vectorField(fluid.rho*fluid.vorticity))
+    );
+}
+
+
+void expectFlowWhereAClosureLooks()
+{
+    const cubeOfGrains grains;
+    const fluidFields fluid(grains.layers());
+    const auto flow = [&]
+    (
+        const string& laws,
+        const vectorField& acceleration,
+        const vectorField& viscousForce
+    )
+    {
+        return flowAround
+        (
+            grains.mapping(),
+            grains.laws(laws),
+            fluid.rho,
+            acceleration,
+            viscousForce
+        );
+    };
+
+    // A field at which none looks is not there
+    const vectorField none;
+    const auto carried =
+        flow("virtualMass { model constant; }", fluid.convection, none);
+    const auto sheared =
+        flow("viscousForce { strength 1; }", none, fluid.viscousForce);
+    const vectorField zero(grains.exchange.grains().size(), Zero);
+
+    EXPECT_TRUE(flow("", none, none).empty());
+    expectSame
+    (
+        grains.around(carried, &flowAtGrain::acceleration),
+        grains.around(vectorField(fluid.rho*fluid.convection))
+    );
+    expectSame(grains.around(carried, &flowAtGrain::viscousForce), zero);
+    expectSame
+    (
+        grains.around(sheared, &flowAtGrain::viscousForce),
+        grains.around(fluid.viscousForce)
+    );
+    expectSame(grains.around(sheared, &flowAtGrain::acceleration), zero);
+}
+
+} // End anonymous namespace
+
+
+TEST(grainForces, takeTheFluidFromTheCells)
+{
+    expectTheCells();
+}
+
+
+TEST(ParallelGrainForces, takeTheFluidFromTheCellsOfAllRanks)
+{
+    expectTheCells();
+}
+
+
+TEST(grainForces, takeTheFlowWhereAClosureLooksAtIt)
+{
+    expectFlowWhereAClosureLooks();
+}
+
+
+TEST(ParallelGrainForces, takeTheFlowWhereAClosureLooksAtIt)
+{
+    expectFlowWhereAClosureLooks();
+}
+
+
+TEST(grainForces, weighTheMeanOfAnIntervalWithTheDensityAtItsStart)
+{
+    const cubeOfGrains grains;
+    const fluidFields fluid(grains.layers());
+    const fluidMeans means
+    {
+        fluid.U, fluid.convection, fluid.viscousForce, fluid.viscousForce,
+        scalarField(2*fluid.rho), Zero
+    };
+    const List<meanAtGrain> is(meansAround(grains.mapping(), means, fluid.rho));
+
+    expectSame
+    (
+        grains.around(is, &meanAtGrain::rhoAround), grains.around(means.rho)
+    );
+    expectSame
+    (
+        grains.around(is, &meanAtGrain::momentum),
+        grains.around(vectorField(fluid.rho*fluid.U))
+    );
+    expectSame
+    (
+        grains.around(is, &meanAtGrain::pressureGradient),
+        grains.around(means.pressureGradient)
+    );
+}
+
+
+TEST(grainForces, sumUpWithoutWhatWallsGive)
+{
+    // Close to the wall x = 0, towards which it goes
+    constexpr scalar d = 0.02;
+    const auto sumOf = [&](const string& lubrication, vector& force)
+    {
+        testMesh box;
+        standingGrains phase(box.mesh());
+        put(phase, pointField(1, point(0.52*d, 0.4, 0.4)), d);
+        phase.grains.U = vector(-0.1, 0, 0);
+        grainExchange exchange(box.mesh());
+        exchange.locate(phase);
+        voidFraction pores(exchange, entries(inOneCellEach));
+        pores.update();
+
+        grainForces forces
+        (
+            exchange,
+            pores.mapping(),
+            entries("drag { model SchillerNaumann; } " + lubrication),
+            g,
+            1
+        );
+        const fluidFields fluid(water(box.mesh().nCells()));
+        const vectorField none(box.mesh().nCells(), Zero);
+        forces.prepare(fluid, interval);
+        const auto sums = forces.finish
+        (
+            fluidMeans{fluid.U, none, none, none, fluid.rho, Zero}, fluid.rho
+        );
+        EXPECT_DOUBLE_EQ(sums.second(), mag(sums.first()));
+        force = forces.force()[0];
+        return sums.first();
+    };
+
+    vector force;
+    EXPECT_EQ(sumOf("", force), force);
+    const vector sum(sumOf("lubrication { strength 1; }", force));
+
+    // 6 pi mu r^2 (1/h - 1/r) v: little of the velocity is lost in an interval
+    const scalar film =
+        6*constant::mathematical::pi*muWater*sqr(d/2)
+       *(1/(0.02*d) - 2/d)*0.1;
+    EXPECT_NEAR(force.x() - sum.x(), film, 0.05*film);
+}
+
+
+TEST(meanGrainVelocity, isByMassWhereGrainsAreInOneCell)
+{
+    testMesh box;
+    standingGrains phase(box.mesh());
+    put
+    (
+        phase,
+        pointField({{0.4, 0.4, 0.4}, {0.3, 0.4, 0.4}, {0.9, 0.9, 0.9}}),
+        0.02
+    );
+    phase.grains.mass = scalarField({1, 3, 1});
+    phase.grains.U = vectorField({{1, 0, 0}, {0, 2, 0}, {5, 5, 5}});
+
+    grainExchange exchange(box.mesh());
+    exchange.locate(phase);
+    voidFraction pores(exchange, entries(inOneCellEach));
+    pores.update();
+    meanGrainVelocity mean(exchange, pores.mapping());
+
+    // Until it is asked for each has its own
+    for (label i = 0; i < 3; ++i)
+    {
+        EXPECT_EQ(mean[i], exchange.grains()[i].velocity);
+    }
+
+    mean.update();
+    EXPECT_LT(mag(mean[0] - vector(0.25, 1.5, 0)), 1e-14);
+    EXPECT_LT(mag(mean[1] - vector(0.25, 1.5, 0)), 1e-14);
+    EXPECT_LT(mag(mean[2] - vector(5, 5, 5)), 1e-14);
+}

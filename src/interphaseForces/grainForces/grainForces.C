@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Force and torque on each grain from the fluid around it.
+
+#include "grainForces.H"
+
+namespace
+{
+    using namespace Foam;
+
+    //- Share of the load that contacts carried, 0 to 1: the contact force
+    //  against the direction of the load, by its size
+    scalar carried(const vector& contact, const vector& load)
+    {
+        return min(max(-(contact & load)/(magSqr(load) + VSMALL), 0.0), 1.0);
+    }
+}
+
+
+Foam::grainForces::grainForces
+(
+    const grainExchange& exchange,
+    const particleMeshMapping& mapping,
+    const dictionary& dict,
+    const hydrostatics& rest,
+    const scalar coarseGraining
+)
+:
+    exchange_(exchange),
+    mapping_(mapping),
+    rest_(rest),
+    coarseGraining_(coarseGraining),
+    laws_(exchange.mesh(), dict),
+    meanVelocity_(exchange, mapping)
+{
+    if (coarseGraining_ > 1 && laws_.lubrication.strength() > 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "lubrication is on and coarseGraining is " << coarseGraining_
+            << ": how near to a wall the real grains of a computed one are is not"
+            << " known. Take one of them out." << exit(FatalIOError);
+    }
+}
+
+
+void Foam::grainForces::setTorque
+(
+    const label i,
+    const grainState& state,
+    const scalar interval
+)
+{
+    // The computed grain must get the angular acceleration of the grains it
+    // stands for: its moment of inertia is N^5 times theirs
+    const locatedGrain& grain = exchange_.grains()[i];
+    const scalar inertia =
+        grain.mobile ? 0.4*grain.mass*sqr(grain.radius) : GREAT;
+    const scalar c =
+        pow5(coarseGraining_)*laws_.rotationalDragCoefficient(state);
+
+    torque_[i] = c/(1 + c*interval/inertia)*state.relativeSpin;
+}
+
+
+inline Foam::vector Foam::grainForces::unsupportedLoad
+(
+    const locatedGrain& grain,
+    const scalar rhoAround,
+    const vector& viscousForce,
+    const scalar volume,
+    const vector& lift
+) const
+{
+    const vector weight(grain.mass*rest_.g());
+    const vector buoyancy
+    (
+       -laws_.pressureGradient*volume*rest_.gradient(rhoAround)
+    );
+    const vector viscous(laws_.viscousForce*volume*viscousForce);
+    const vector load(weight + grain.fluidForce);
+
+    return
+        weight + buoyancy + viscous + lift
+      - carried(grain.totalForce - load, load)*load;
+}
+
+
+inline Foam::grainState Foam::grainForces::stateOf
+(
+    const label i,
+    const fluidAtGrain& fluid,
+    const scalar dSauter
+) const
+{
+    const locatedGrain& grain = exchange_.grains()[i];
+    const scalar perRho = 1/fluid.rhoAround;
+    const vector vorticity(perRho*fluid.vorticity);
+
+    return grainState
+    {
+        2*grain.radius/coarseGraining_,
+        perRho*fluid.momentum - meanVelocity_[i],
+        0.5*vorticity - grain.angularVelocity,
+        vorticity,
+        fluid.rho,
+
+        // OpenFOAM's HerschelBulkley has none at all where it rests and has no
+        // yield stress; its limit there is nu0 or k, but this only avoids 0/0
+        max(fluid.mu, SMALL),
+        fluid.voidFraction,
+        dSauter/coarseGraining_
+    };
+}
+
+
+inline void Foam::grainForces::setForce
+(
+    const label i,
+    const grainState& state,
+    const scalar rhoAround,
+    const flowAtGrain& flow,
+    const scalar K1,
+    const vector& lift1,
+    const scalar interval
+)
+{
+    const locatedGrain& grain = exchange_.grains()[i];
+    const scalar volume = mapping_.volumes()[i];
+    const scalar N3 = pow3(coarseGraining_);
+    const scalar perRho = 1/rhoAround;
+    const vector& v = meanVelocity_[i];
+    const vector U(state.slip + v);
+    const vector convection(perRho*flow.acceleration);
+
+    const scalar K = N3*K1;
+    scalar C = laws_.virtualMassCoefficient(state)*state.rho*volume;
+    vector lift(lift1);
+    if (laws_.history.active())
+    {
+        C += N3*laws_.history.mass(state);
+        lift += laws_.history.force(grain.id, state);
+    }
+    lift *= N3;
+
+    vector load
+    (
+        unsupportedLoad(grain, rhoAround, flow.viscousForce, volume, lift)
+    );
+
+    // A grain that nothing moves has no velocity to eliminate
+    const scalar m = grain.mobile ? grain.mass : GREAT;
+    const scalar M = grain.mobile ? m/(m + C + K*interval) : 1;
+
+    if (wallForce_.size())
+    {
+        wallForce_[i] = laws_.lubrication.force
+        (
+            grain.position,
+            grain.radius,
+            state.mu,
+            (m + C)*grain.velocity + interval*(load + K*U + C*convection),
+            m + C + K*interval,
+            interval
+        );
+        load += wallForce_[i];
+    }
+
+    const scalar drag = M*K;
+    const scalar virtualMass = M*C;
+
+    drag_[i] = perRho*drag;
+    virtualMass_[i] = perRho*virtualMass;
+    pressure_[i] =
+        (1 - M)*laws_.excessPressure*laws_.pressureGradient*volume;
+    explicit_[i] = lift + virtualMass*convection - drag*v + (M - 1)*load;
+
+    // Shear moves computed grains past each other N times as fast as real ones
+    if (coarseGraining_ != 1)
+    {
+        const scalar own = K/sqr(coarseGraining_);
+        explicit_[i] += m/(m + own*interval)*own*(v - grain.velocity);
+    }
+
+    setTorque(i, state, interval);
+}
+
+
+void Foam::grainForces::begin(const scalar interval)
+{
+    const label n = exchange_.grains().size();
+
+    drag_.setSize(n);
+    virtualMass_.setSize(n);
+    pressure_.setSize(n);
+    explicit_.setSize(n);
+    wallForce_.setSize(laws_.lubrication.strength() > 0 ? n : 0);
+    torque_.setSize(n);
+
+    // One grain for one has its own
+    if (coarseGraining_ != 1)
+    {
+        meanVelocity_.update();
+    }
+    laws_.history.begin(exchange_.grains(), interval);
+}
+
+
+Foam::List<Foam::givenByGrain> Foam::grainForces::prepare
+(
+    const fluidFields& fluid,
+    const scalar interval
+)
+{
+    begin(interval);
+
+    const scalarField dSauter
+    (
+        laws_.usesSauterDiameter() ? mapping_.sauterDiameter() : scalarField()
+    );
+    const List<fluidAtGrain> around(fluidAround(mapping_, fluid));
+    const List<flowAtGrain> flow = flowAround
+    (
+        mapping_, laws_, fluid.rho, fluid.convection, fluid.viscousForce
+    );
+    const cellWeights& weights = mapping_.weights();
+    const label n = exchange_.grains().size();
+    List<givenByGrain> given(weights.noSums<givenByGrain>());
+
+    // What a block of grains is asked for stays in the nearest cache
+    List<grainState> states(blockOfGrains);
+    scalarField rhoAround(blockOfGrains);
+    scalarField K(blockOfGrains);
+    vectorField lift(blockOfGrains);
+
+    for (label first = 0; first < n; first += blockOfGrains)
+    {
+        states.setSize(min(n - first, blockOfGrains));
+
+        forAll(states, k)
+        {
+            const label i = first + k;
+            const fluidAtGrain fluidHere(weights.mean(around, i));
+
+            rhoAround[k] = fluidHere.rhoAround;
+            states[k] =
+                stateOf(i, fluidHere, dSauter.size() ? dSauter[i] : 1);
+        }
+
+        laws_.dragCoefficients(states, K);
+        laws_.liftForces(states, lift);
+
+        forAll(states, k)
+        {
+            const label i = first + k;
+
+            setForce
+            (
+                i,
+                states[k],
+                rhoAround[k],
+                flow.size() ? weights.mean(flow, i) : flowAtGrain(),
+                K[k],
+                lift[k],
+                interval
+            );
+            givenByGrain gives;
+            gives.drag = drag_[i];
+            gives.virtualMass = virtualMass_[i];
+            gives.pressureShare = pressure_[i];
+            gives.explicitForce = explicit_[i]/rhoAround[k];
+            weights.add(given, i, gives);
+        }
+    }
+
+    weights.bringHome(given);
+    return given;
+}
+
+
+void Foam::grainForces::start(const vectorField& pressureGradient)
+{
+    const vectorField gradient(mapping_.gather(pressureGradient));
+
+    force_.setSize(gradient.size());
+    torque_.setSize(gradient.size());
+    torque_ = Zero;
+
+    forAll(force_, i)
+    {
+        force_[i] =
+           -laws_.pressureGradient*mapping_.volumes()[i]*gradient[i];
+    }
+}
+
+
+Foam::Tuple2<Foam::vector, Foam::scalar> Foam::grainForces::finish
+(
+    const fluidMeans& means,
+    const scalarField& rho
+)
+{
+    const List<meanAtGrain> around(meansAround(mapping_, means, rho));
+    const List<flowAtGrain> flow = flowAround
+    (
+        mapping_, laws_, rho, means.acceleration, means.viscousForce
+    );
+    const cellWeights& weights = mapping_.weights();
+    const scalarField& volumes = mapping_.volumes();
+    vector sum(Zero);
+    scalar size = 0;
+
+    force_.setSize(exchange_.grains().size());
+
+    forAll(force_, i)
+    {
+        const meanAtGrain fluid(weights.mean(around, i));
+        const vector atRest(rest_.gradient(fluid.rhoAround));
+        const vector excess(fluid.pressureGradient - atRest);
+
+        force_[i] =
+            drag_[i]*fluid.momentum
+          + pressure_[i]*excess
+          + explicit_[i]
+          - laws_.pressureGradient*volumes[i]
+           *(atRest + laws_.excessPressure*excess);
+
+        if (flow.size())
+        {
+            const flowAtGrain here(weights.mean(flow, i));
+
+            force_[i] +=
+                virtualMass_[i]*here.acceleration
+              + laws_.viscousForce*volumes[i]*here.viscousForce;
+        }
+
+        sum += force_[i];
+        size += mag(force_[i]);
+    }
+
+    // Walls give this one, through the fluid between
+    if (wallForce_.size())
+    {
+        force_ += wallForce_;
+    }
+
+    return {sum, size};
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Velocity of the grains around each grain, where computed ones stand for many.
+
+#include "meanGrainVelocity.H"
+
+void Foam::meanGrainVelocity::update()
+{
+    const List<locatedGrain>& grains = exchange_.grains();
+    scalarField mass(grains.size());
+    mean_.setSize(grains.size());
+
+    forAll(grains, i)
+    {
+        mass[i] = grains[i].mass;
+        mean_[i] = grains[i].velocity;
+    }
+
+    mean_ =
+        mapping_.gather(mapping_.spread(vectorField(mass*mean_)))
+       /mapping_.gather(mapping_.spread(mass));
+}
