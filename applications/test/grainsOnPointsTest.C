@@ -397,3 +397,14 @@ TEST(grainsOnPoints, aBeadAmongPointsIsNamed)
     );
     EXPECT_NE(error.find("deeper in a grain"), std::string::npos) << error;
 }
+
+
+TEST(grainsOnPoints, bodiesMayDifferInTheirGrainsWithoutAFluid)
+{
+    beadsAndPoints what;
+    what.body =
+        elastic + " grainDiameter 0.001; region { box ((0.2 0 0.1) (0.4 1 0.2)); } }"
+        " clay { " + elastic
+      + " grainDiameter 0.002; region { box ((0.4 0 0.1) (0.6 1 0.2)); }";
+    EXPECT_EQ(said(what), "nothing");
+}

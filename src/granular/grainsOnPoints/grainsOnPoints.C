@@ -102,6 +102,9 @@ Foam::dictionary Foam::grainsOnPoints::withStep
     dictionary points(keywords::sub(dict, "materialPoints"));
     points.set("timeStep", step);
     result.set("materialPoints", points);
+
+    // No fluid reaches these points: a grainDiameter is of the law alone
+    result.set("fluid", word("none"));
     return result;
 }
 
