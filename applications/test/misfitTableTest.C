@@ -7,8 +7,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 #include <random>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 using statistics::columnFault;
@@ -88,6 +90,15 @@ const factorialTable factorial(threeByThree());
 constexpr double limit = 1e-3;
 
 
+//- The rows below each other, from the second line of a file on
+statistics::tableRows inLines(const mat& table)
+{
+    std::vector<int> lines(table.rows());
+    std::iota(lines.begin(), lines.end(), 2);
+    return {table, lines};
+}
+
+
 //- The best exchange, and whether it is named
 struct outcome
 {
@@ -101,7 +112,7 @@ outcome outcomeOf(const mat& table, const vec& digits = roundings)
 {
     const Foam::fpeGuard guard;
     identity law("q", "x/sqrt(y)");
-    const columnFaults faults(factorial, law, table, digits, 0.01);
+    const columnFaults faults(factorial, law, inLines(table), digits, 0.01);
     const columnFault best = faults.tried().front();
     return {best, faults.isLikely(best, limit)};
 }
@@ -290,6 +301,26 @@ TEST(misfitTable, twoExchangedRowsAreFoundWhereTheIdentityIsSharp)
     EXPECT_EQ(best.column, 1);
     EXPECT_EQ(best.sources[4], 20);
     EXPECT_EQ(best.match.exact, 27);
+}
+
+
+TEST(misfitTable, aRowIsToldByItsLineInTheFile)
+{
+    std::istringstream is("q,x\n1,1\n\n0,2\n");
+    const statistics::tableRows rows = statistics::readRows(is, {"q", "x"});
+    EXPECT_EQ(rows.lines, (std::vector<int>{2, 4}));
+
+    identity law("q", "x");
+    const factorialTable two((mat(2, 1) << 1, 2).finished());
+    try
+    {
+        columnFaults(two, law, rows, vec::Constant(2, 0.5), 0.01);
+        FAIL() << "a quantity of 0 was taken";
+    }
+    catch (const std::invalid_argument& wrong)
+    {
+        EXPECT_EQ(std::string(wrong.what()).substr(0, 7), "line 4:");
+    }
 }
 
 

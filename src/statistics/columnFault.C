@@ -50,10 +50,9 @@ bool better(const columnFault& a, const columnFault& b)
 } // End anonymous namespace
 
 
-void columnFaults::checkRow(identity& law, const vec& row, const int i) const
+void columnFaults::checkRow(identity& law, const vec& row, const int number) const
 {
-    // The first line is that of the names
-    const std::string line = "line " + std::to_string(i + 2);
+    const std::string line = "line " + std::to_string(number);
     if (row[0] == 0)
     {
         throw std::invalid_argument
@@ -76,18 +75,19 @@ columnFaults::columnFaults
 (
     const factorialTable& factorial,
     identity& law,
-    const mat& table,
+    const tableRows& rows,
     const vec& roundings,
     const double tolerance
 )
 :
     factorial_(factorial),
-    nRows_(table.rows()),
+    nRows_(rows.numbers.rows()),
     tolerance_(tolerance)
 {
+    const mat& table = rows.numbers;
     for (int i = 0; i < nRows_; ++i)
     {
-        checkRow(law, table.row(i), i);
+        checkRow(law, table.row(i), rows.lines[i]);
     }
     for (int c = 0; c < table.cols(); ++c)
     {

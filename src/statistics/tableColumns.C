@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cfenv>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -94,14 +95,18 @@ std::vector<std::string> cellsOf(std::string line)
 }
 
 
-mat readColumns(std::istream& is, const std::vector<std::string>& names)
+tableRows readRows(std::istream& is, const std::vector<std::string>& names)
 {
     std::string line;
-    std::getline(is, line);
+    if (!std::getline(is, line))
+    {
+        throw std::invalid_argument("it is empty; its first line must name its columns");
+    }
     const std::vector<std::string> heads = cellsOf(line);
     const std::vector<int> places = placesOf(names, heads);
 
-    mat result(0, count(names));
+    tableRows result{mat(0, count(names)), {}};
+    mat& numbers = result.numbers;
     for (int number = 2; std::getline(is, line); ++number)
     {
         const std::string place = "line " + std::to_string(number);
@@ -118,11 +123,51 @@ mat readColumns(std::istream& is, const std::vector<std::string>& names)
               + " cells, the line of names " + std::to_string(heads.size())
             );
         }
-        result.conservativeResize(result.rows() + 1, Eigen::NoChange);
+        numbers.conservativeResize(numbers.rows() + 1, Eigen::NoChange);
+        result.lines.push_back(number);
         for (int i = 0; i < count(places); ++i)
         {
-            result(result.rows() - 1, i) =
+            numbers(numbers.rows() - 1, i) =
                 numberOf(cells[places[i]], place + ", column " + names[i]);
+        }
+    }
+    return result;
+}
+
+
+mat readColumns(std::istream& is, const std::vector<std::string>& names)
+{
+    return readRows(is, names).numbers;
+}
+
+
+tableRows readWhole(const std::string& file, const std::vector<std::string>& names)
+{
+    std::ifstream is(file);
+    if (!is)
+    {
+        throw std::invalid_argument
+        (
+            "it cannot be read; its path is taken from where the program is started"
+        );
+    }
+    const tableRows result = readRows(is, names);
+    if (result.lines.empty())
+    {
+        throw std::invalid_argument("it has no row below its line of names");
+    }
+    for (int row = 0; row < count(result.lines); ++row)
+    {
+        for (int i = 0; i < count(names); ++i)
+        {
+            if (std::isnan(result.numbers(row, i)))
+            {
+                throw std::invalid_argument
+                (
+                    "column " + names[i] + " is empty in line "
+                  + std::to_string(result.lines[row])
+                );
+            }
         }
     }
     return result;

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the column of a published table whose numbers stand at the wrong rows.
 
-#include "tableReport.H"
+#include "tableCheck.H"
 #include "textFile.H"
 
-#include "argList.H"
-#include "IFstream.H"
 #include "fpeGuard.H"
 #include "serialTool.H"
 
@@ -29,20 +27,20 @@ void run(const dictionary& dict)
     const tableCheck check(dict);
     Info<< report(check).c_str();
 
-    const fileName stem(check.file().nameLessExt());
+    const fileName stem(check.file.nameLessExt());
     write(stem + ".verdict.json", tableJson(check));
     write(stem + ".tried.csv", triedTable(check));
     if
     (
-        check.verdict() == verdictKind::registration
-     && check.best().size() == 1
-     && check.columnIsMoved(check.tried().front())
+        check.verdict == verdictKind::registration
+     && check.best.size() == 1
+     && check.best.front().isOfColumn()
     )
     {
         write
         (
             stem + ".corrected.csv",
-            correctedTable(check, check.tried().front())
+            correctedTable(check, check.best.front().fault)
         );
     }
 }
@@ -60,16 +58,9 @@ int main(int argc, char* argv[])
     argList::noBanner();
     argList::noParallel();
     argList::addArgument("dictionary");
-
     startSerialTool();
     const argList args(argc, argv);
-
-    IFstream is(args[1]);
-    if (!is.good())
-    {
-        FatalErrorInFunction << "Cannot read " << args[1] << exit(FatalError);
-    }
-    const dictionary dict(is);
+    const dictionary dict(readArgument(args));
 
     // A formula without a value is told by its line
     const fpeGuard guard;

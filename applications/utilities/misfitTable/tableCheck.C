@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What a table of published results is checked by, and what comes of it.
 
 #include "tableCheck.H"
 
-#include "error.H"
 #include "keywords.H"
+#include "Pair.H"
 #include "rankCorrelation.H"
-#include "tableColumns.H"
+#include "scalarList.H"
 
-#include <algorithm>
-#include <cmath>
-#include <fstream>
 #include <stdexcept>
 
 namespace Foam::misfit
@@ -18,19 +16,7 @@ namespace Foam::misfit
 namespace
 {
 
-statistics::identity readIdentity(const dictionary& dict)
-{
-    keywords::check(dict, {"quantity", "formula"});
-    return
-        statistics::identity
-        (
-            dict.get<word>("quantity"),
-            dict.get<string>("formula")
-        );
-}
-
-
-// Half of the last printed digit of each column
+//- Half of the last printed digit of each column
 vec readRoundings(const dictionary& dict, const wordList& columns)
 {
     keywords::check(dict, columns);
@@ -49,65 +35,82 @@ vec readRoundings(const dictionary& dict, const wordList& columns)
     return result;
 }
 
-} // End anonymous namespace
 
-
-mat tableCheck::read(const wordList& names) const
+//- Correlations of pairs of columns that the source of the table states
+struct statedCorrelations
 {
-    std::ifstream is(file_);
-    if (!is)
-    {
-        throw std::invalid_argument("it cannot be read");
-    }
-    const mat result =
-        statistics::readColumns(is, {names.begin(), names.end()});
-    for (label row = 0; row < result.rows(); ++row)
-    {
-        for (label i = 0; i < result.cols(); ++i)
-        {
-            if (std::isnan(result(row, i)))
-            {
-                throw std::invalid_argument
-                (
-                    "column " + names[i] + " is empty in line "
-                  + std::to_string(row + 2)
-                );
-            }
-        }
-    }
-    return result;
-}
+    List<Pair<word>> pairs;
+
+    scalarList values;
+};
 
 
-std::vector<statedCorrelation> tableCheck::readStated(const dictionary& dict)
+statedCorrelations readStated(const dictionary& dict)
 {
     keywords::check(dict, {"columns", "values"});
-    const auto pairs = dict.lookupOrDefault("columns", List<Pair<word>>());
-    const auto values = dict.lookupOrDefault("values", scalarList());
-    if (pairs.size() != values.size())
+    const statedCorrelations stated
+    {
+        dict.lookupOrDefault("columns", List<Pair<word>>()),
+        dict.lookupOrDefault("values", scalarList())
+    };
+    if (stated.pairs.size() != stated.values.size())
     {
         FatalIOErrorInFunction(dict)
-            << "correlations: " << values.size() << " values for " << pairs.size()
-            << " pairs of columns; give one for each" << exit(FatalIOError);
+            << "correlations: " << stated.values.size() << " values for "
+            << stated.pairs.size() << " pairs of columns; give one for each"
+            << exit(FatalIOError);
     }
-    std::vector<statedCorrelation> result;
-    forAll(pairs, i)
-    {
-        result.push_back({pairs[i], values[i]});
-    }
-    return result;
+    return stated;
 }
 
 
-tableCheck::tableCheck(const dictionary& dict)
-:
-    file_(dict.get<fileName>("table")),
-    law_(readIdentity(dict.subDict("identity"))),
-    factorNames_(dict.get<wordList>("factors")),
-    factorial_(read(factorNames_)),
-    table_(read(columns())),
-    limit_(dict.lookupOrDefault<scalar>("chance", 0.001)),
-    stated_(readStated(keywords::sub(dict, "correlations")))
+//- Largest difference from them of a table with columns of these names
+scalar missed
+(
+    const statedCorrelations& stated,
+    const mat& table,
+    const wordList& names
+)
+{
+    scalar most = 0;
+    forAll(stated.pairs, i)
+    {
+        const scalar r = statistics::correlation
+        (
+            table.col(names.find(stated.pairs[i].first())),
+            table.col(names.find(stated.pairs[i].second()))
+        );
+        most = max(most, mag(r - stated.values[i]));
+    }
+    return most;
+}
+
+
+//- The first so many columns are those of the identity
+explanation explained
+(
+    const columnFault& fault,
+    const statedCorrelations& stated,
+    const mat& table,
+    const wordList& names,
+    const label nOfIdentity
+)
+{
+    const statistics::rowSources back(statistics::inverse(fault.sources));
+    mat column(table);
+    mat others(table);
+    for (label c = 0; c < nOfIdentity; ++c)
+    {
+        const bool isIt = c == fault.column;
+        (isIt ? column : others).col(c) =
+            statistics::moved(table.col(c), isIt ? fault.sources : back);
+    }
+    return {fault, missed(stated, column, names), missed(stated, others, names)};
+}
+
+
+//- The identity; all other keywords are checked, too
+statistics::identity readIdentity(const dictionary& dict)
 {
     keywords::check
     (
@@ -117,109 +120,86 @@ tableCheck::tableCheck(const dictionary& dict)
             "chance", "correlations"
         }
     );
-    if (limit_ <= 0 || limit_ > 1)
+    const dictionary& identity = dict.subDict("identity");
+    keywords::check(identity, {"quantity", "formula"});
+    return {identity.get<word>("quantity"), identity.get<string>("formula")};
+}
+
+
+//- Largest chance at which an exchange is named
+scalar readChance(const dictionary& dict)
+{
+    const scalar chance = dict.lookupOrDefault<scalar>("chance", 0.001);
+    if (chance <= 0 || chance > 1)
     {
         FatalIOErrorInFunction(dict)
-            << "chance is " << limit_ << "; it is a probability, above 0 and at"
+            << "chance is " << chance << "; it is a probability, above 0 and at"
             << " most 1" << exit(FatalIOError);
     }
+    return chance;
+}
+
+} // End anonymous namespace
+
+
+tableCheck::tableCheck(const dictionary& dict)
+{
+    statistics::identity law(readIdentity(dict));
+    const scalar limit = readChance(dict);
+    file = dict.get<fileName>("table");
+    factors = dict.get<wordList>("factors");
+    for (const std::string& name : law.columns())
+    {
+        columns.append(name);
+    }
+    const statedCorrelations stated(readStated(keywords::sub(dict, "correlations")));
+    hasStated = stated.pairs.size();
+
+    wordList names(columns);
+    for (const Pair<word>& pair : stated.pairs)
+    {
+        names.append(pair.first());
+        names.append(pair.second());
+    }
+    names.append(factors);
+    const statistics::tableRows rows
+    (
+        statistics::readWhole(file, {names.begin(), names.end()})
+    );
+    lines = rows.lines;
+    const statistics::factorialTable factorial
+    (
+        rows.numbers.rightCols(factors.size())
+    );
+    levels = factorial.levels();
     const statistics::columnFaults faults
     (
-        factorial_,
-        law_,
-        table_,
-        readRoundings(dict.subDict("roundings"), columns()),
+        factorial,
+        law,
+        {rows.numbers.leftCols(columns.size()), lines},
+        readRoundings(dict.subDict("roundings"), columns),
         dict.lookupOrDefault<scalar>("tolerance", 0.01)
     );
-    printed_ = faults.asPrinted();
-    tried_ = faults.tried();
-    likely_ = faults.isLikely(tried_.front(), limit_);
-}
-
-
-wordList tableCheck::columns() const
-{
-    wordList names(law_.columns().size());
-    std::copy(law_.columns().begin(), law_.columns().end(), names.begin());
-    return names;
-}
-
-
-std::vector<columnFault> tableCheck::best() const
-{
-    std::vector<columnFault> result;
-    for (const columnFault& one : tried_)
+    printed = faults.asPrinted();
+    tried = faults.tried();
+    if (tried.empty())
     {
-        if (one.match.exact < tried_.front().match.exact)
+        throw std::invalid_argument("it has one row alone; an exchange takes two");
+    }
+    verdict =
+        printed.match.exact == factorial.nRows() ? verdictKind::none
+      : faults.isLikely(tried.front(), limit) ? verdictKind::registration
+      : verdictKind::unknown;
+    for (const columnFault& fault : tried)
+    {
+        if (fault.match.exact == tried.front().match.exact)
         {
-            break;
-        }
-        result.push_back(one);
-    }
-    return result;
-}
-
-
-verdictKind tableCheck::verdict() const
-{
-    if (printed_.match.exact == factorial_.nRows())
-    {
-        return verdictKind::none;
-    }
-    return likely_ ? verdictKind::registration : verdictKind::unknown;
-}
-
-
-scalar tableCheck::fromStated(const mat& columns) const
-{
-    const wordList names = this->columns();
-    const auto numbers = [&](const word& name) -> vec
-    {
-        const label i = names.find(name);
-        return i < 0 ? vec(read({name})) : vec(columns.col(i));
-    };
-
-    scalar most = 0;
-    for (const statedCorrelation& one : stated_)
-    {
-        const scalar r = statistics::correlation
-        (
-            numbers(one.columns.first()),
-            numbers(one.columns.second())
-        );
-        most = max(most, mag(r - one.value));
-    }
-    return most;
-}
-
-
-scalar tableCheck::columnMoved(const columnFault& fault) const
-{
-    mat columns = table_;
-    columns.col(fault.column) =
-        statistics::moved(table_.col(fault.column), fault.sources);
-    return fromStated(columns);
-}
-
-
-scalar tableCheck::othersMoved(const columnFault& fault) const
-{
-    const statistics::rowSources back = statistics::inverse(fault.sources);
-    mat columns = table_;
-    for (label c = 0; c < columns.cols(); ++c)
-    {
-        if (c != fault.column)
-        {
-            columns.col(c) = statistics::moved(table_.col(c), back);
+            best.push_back
+            (
+                explained(fault, stated, rows.numbers, names, columns.size())
+            );
         }
     }
-    return fromStated(columns);
-}
-
-
-bool tableCheck::columnIsMoved(const columnFault& fault) const
-{
-    return !hasStated() || columnMoved(fault) <= othersMoved(fault);
 }
 
 } // End namespace Foam::misfit

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The result of a check of a table, for people and for programs.
 
-#include "tableReport.H"
+#include "tableCheck.H"
 #include "record.H"
 #include "report.H"
 #include "tableColumns.H"
@@ -30,63 +30,44 @@ string percent(const scalar share)
 }
 
 
-string ofFactors(const tableCheck& check, const std::vector<int>& factors)
+//- "the labels D and M are exchanged; of V the levels 1 2 are taken for 2 1"
+string ofLabels(const tableCheck& check, const statistics::labelArrangement& labels)
 {
     wordList from;
     wordList to;
-    for (label f = 0; f < count(factors); ++f)
-    {
-        if (factors[f] != f)
-        {
-            from.append(check.factors()[f]);
-            to.append(check.factors()[factors[f]]);
-        }
-    }
-    return
-        "the labels " + inWords(from, "and")
-      + (
-            from.size() == 2
-          ? string(" are exchanged") : " are taken for " + inWords(to, "and")
-        );
-}
-
-
-string ofLevels
-(
-    const word& factor,
-    const std::vector<double>& levels,
-    const std::vector<int>& order
-)
-{
-    const auto number = [](const double level) { return shortNumber(level, 6); };
-    return
-        "of " + factor + " the levels " + joined(levels, " ", number)
-      + " are taken for "
-      + joined(order, " ", [&](const int i) { return number(levels[i]); });
-}
-
-
-string ofLabels(const tableCheck& check, const columnFault& fault)
-{
-    const auto isChanged = [](const std::vector<int>& order)
-    {
-        return !std::is_sorted(order.begin(), order.end());
-    };
     std::vector<string> parts;
-    if (isChanged(fault.labels.factors))
+    forAll(check.factors, f)
     {
-        parts.push_back(ofFactors(check, fault.labels.factors));
-    }
-    forAll(check.factors(), f)
-    {
-        const std::vector<int>& order = fault.labels.levels[f];
-        if (isChanged(order))
+        if (labels.factors[f] != f)
         {
+            from.append(check.factors[f]);
+            to.append(check.factors[labels.factors[f]]);
+        }
+        const auto& levels = check.levels[f];
+        const auto& order = labels.levels[f];
+        if (!std::is_sorted(order.begin(), order.end()))
+        {
+            const auto level = [&](const int i) { return shortNumber(levels[i], 6); };
+            auto all(order);
+            std::sort(all.begin(), all.end());
             parts.push_back
             (
-                ofLevels(check.factors()[f], check.factorial().levels()[f], order)
+                "of " + check.factors[f] + " the levels " + joined(all, " ", level)
+              + " are taken for " + joined(order, " ", level)
             );
         }
+    }
+    if (from.size())
+    {
+        const string what
+        (
+            from.size() == 2
+          ? string("exchanged") : "taken for " + inWords(to, "and")
+        );
+        parts.insert
+        (
+            parts.begin(), "the labels " + inWords(from, "and") + " are " + what
+        );
     }
     return joined(parts, "; ", [](const string& part) { return part; });
 }
@@ -95,19 +76,17 @@ string ofLabels(const tableCheck& check, const columnFault& fault)
 //- What is exchanged, as "U: the labels D and M are exchanged"
 string exchange(const tableCheck& check, const columnFault& fault)
 {
-    const string column(check.columns()[fault.column] + ": ");
+    const string column(check.columns[fault.column] + ": ");
     if (fault.kind == columnFaultKind::labels)
     {
-        return column + ofLabels(check, fault);
+        return column + ofLabels(check, fault.labels);
     }
-
-    // The first line of the table is that of names
     std::vector<int> lines;
     for (int i = 0; i < count(fault.sources); ++i)
     {
         if (fault.sources[i] != i)
         {
-            lines.push_back(i + 2);
+            lines.push_back(check.lines[i]);
         }
     }
     const auto number = [](const int line) { return std::to_string(line); };
@@ -117,46 +96,37 @@ string exchange(const tableCheck& check, const columnFault& fault)
 }
 
 
-string reportOthers(const tableCheck& check, const columnFault& fault)
+string reportOne(const tableCheck& check, const explanation& one)
 {
-    const wordList columns(check.columns());
+    const columnFault& fault = one.fault;
+    const word& column = check.columns[fault.column];
     wordList others;
-    for (const word& name : columns)
+    for (const word& name : check.columns)
     {
-        if (name != columns[fault.column])
+        if (name != column)
         {
             others.append(name);
         }
     }
     std::ostringstream os;
-    os.precision(2);
-    os << "    The identity holds as well if " << columns[fault.column]
-        << " stands right and " << inWords(others, "and")
-        << " stand at the exchanged labels.\n";
-    if (check.hasStated())
-    {
-        os  << "    The correlations that the source states are missed by "
-            << check.columnMoved(fault) << " at most in the first case, by "
-            << check.othersMoved(fault) << " in the second: they speak for the "
-            << (check.columnIsMoved(fault) ? "first" : "second") << ".\n";
-    }
-    return os.str();
-}
-
-
-string reportFault(const tableCheck& check, const columnFault& fault)
-{
-    std::ostringstream os;
-    os.precision(3);
     os  << exchange(check, fault) << '\n'
-        << "    " << percent(check.printed().match.meanDifference) << " before, "
+        << "    " << percent(check.printed.match.meanDifference) << " before, "
         << percent(fault.match.meanDifference) << " after, on the mean; "
-        << fault.match.exact << " of " << check.factorial().nRows()
+        << fault.match.exact << " of " << check.lines.size()
         << " rows hold the identity as exactly as digits are printed, "
         << fault.match.within << " within the tolerance.\n"
-        << "    That one of the " << check.tried().size()
-        << " exchanges tried does so by chance: " << fault.chance << '\n';
-    return os.str() + reportOthers(check, fault);
+        << "    That one of the " << check.tried.size()
+        << " exchanges tried does so by chance: " << shortNumber(fault.chance, 3)
+        << "\n    The identity holds as well if " << column << " stands right and "
+        << inWords(others, "and") << " stand at the exchanged labels.\n";
+    if (check.hasStated)
+    {
+        os  << "    The correlations that the source states are missed by "
+            << shortNumber(one.columnMoved, 2) << " at most in the first case, by "
+            << shortNumber(one.othersMoved, 2) << " in the second: they speak for the "
+            << (one.isOfColumn() ? "first" : "second") << ".\n";
+    }
+    return os.str();
 }
 
 
@@ -171,21 +141,20 @@ json jsonOf(const identityMatch& match)
 }
 
 
-json jsonOf(const tableCheck& check, const columnFault& fault)
+json jsonOf(const tableCheck& check, const explanation& one)
 {
     json result =
     {
-        {"column", check.columns()[fault.column]},
-        {"exchange", exchange(check, fault)},
-        {"match", jsonOf(fault.match)},
-        {"chance", fault.chance}
+        {"column", check.columns[one.fault.column]},
+        {"exchange", exchange(check, one.fault)},
+        {"match", jsonOf(one.fault.match)},
+        {"chance", one.fault.chance}
     };
-    if (check.hasStated())
+    if (check.hasStated)
     {
         result["correlations"] =
         {
-            {"columnMoved", check.columnMoved(fault)},
-            {"othersMoved", check.othersMoved(fault)}
+            {"columnMoved", one.columnMoved}, {"othersMoved", one.othersMoved}
         };
     }
     return result;
@@ -196,48 +165,52 @@ json jsonOf(const tableCheck& check, const columnFault& fault)
 
 Foam::string Foam::misfit::report(const tableCheck& check)
 {
-    const label n = check.factorial().nRows();
+    const label n = check.lines.size();
     std::ostringstream os;
-    os.precision(3);
-    os << verdictNames[check.verdict()] << ": ";
-    if (check.verdict() == verdictKind::none)
+    os << verdictNames[check.verdict] << ": ";
+    if (check.verdict == verdictKind::none)
     {
         os << "all " << n << " rows hold the identity\n";
-        return os.str();
     }
-    if (check.verdict() == verdictKind::unknown)
+    else if (check.verdict == verdictKind::unknown)
     {
-        const columnFault& first = check.tried().front();
-        os  << n - check.printed().match.exact << " of " << n
+        const columnFault& first = check.tried.front();
+        os  << n - check.printed.match.exact << " of " << n
             << " rows miss the identity by more than"
             << " rounding, and no exchange of labels explains it. The nearest of "
-            << check.tried().size() << ", with a chance of " << first.chance
-            << ":\n    " << exchange(check, first) << '\n';
-        return os.str();
+            << check.tried.size() << ", with a chance of "
+            << shortNumber(first.chance, 3) << ":\n    " << exchange(check, first)
+            << '\n';
     }
-    const std::vector<columnFault> faults(check.best());
-    if (faults.size() > 1)
+    else
     {
-        os << "one of " << faults.size() << " exchanges that explain as many rows:\n";
+        if (check.best.size() > 1)
+        {
+            os  << "one of " << check.best.size()
+                << " exchanges that explain as many rows:\n";
+        }
+        for (const explanation& one : check.best)
+        {
+            os << reportOne(check, one);
+        }
     }
-    const auto one = [&](const columnFault& f) { return reportFault(check, f); };
-    return os.str() + joined(faults, "", one);
+    return os.str();
 }
 
 
 std::string Foam::misfit::tableJson(const tableCheck& check)
 {
-    const bool named = check.verdict() == verdictKind::registration;
-    const auto one = [&](const columnFault& f) { return jsonOf(check, f); };
+    const bool named = check.verdict == verdictKind::registration;
+    const auto one = [&](const explanation& e) { return jsonOf(check, e); };
     const nlohmann::json all =
     {
         {"schema", "misfitTable 1"},
-        {"table", check.file()},
-        {"rows", check.factorial().nRows()},
-        {"verdict", verdictNames[check.verdict()]},
-        {"tried", check.tried().size()},
-        {"asPrinted", jsonOf(check.printed().match)},
-        {"faults", named ? each(check.best(), one) : json::array()}
+        {"table", check.file},
+        {"rows", check.lines.size()},
+        {"verdict", verdictNames[check.verdict]},
+        {"tried", check.tried.size()},
+        {"asPrinted", jsonOf(check.printed.match)},
+        {"faults", named ? each(check.best, one) : json::array()}
     };
     return all.dump(4) + '\n';
 }
@@ -251,14 +224,14 @@ std::string Foam::misfit::triedTable(const tableCheck& check)
         os << ',' << m.exact << ',' << m.within << ',' << m.meanDifference << ',';
     };
     os << "column,kind,exact,within,meanDifference,chance,exchange\nnone,none";
-    match(check.printed().match);
+    match(check.printed.match);
     os << ",\n";
     std::map<std::pair<int, columnFaultKind>, int> nWritten;
-    for (const columnFault& one : check.tried())
+    for (const columnFault& one : check.tried)
     {
         if (nWritten[{one.column, one.kind}]++ < nBest)
         {
-            os  << check.columns()[one.column]
+            os  << check.columns[one.column]
                 << (one.kind == columnFaultKind::labels ? ",labels" : ",rows");
             match(one.match);
             os << one.chance << ",\"" << exchange(check, one) << "\"\n";
@@ -274,7 +247,7 @@ std::string Foam::misfit::correctedTable
     const columnFault& fault
 )
 {
-    std::ifstream is(check.file());
+    std::ifstream is(check.file);
     std::vector<std::vector<std::string>> rows;
     for (std::string line; std::getline(is, line);)
     {
@@ -288,7 +261,7 @@ std::string Foam::misfit::correctedTable
     // Below the names the cell as printed, to its last digit, from its row
     const auto& names = rows.front();
     const label column =
-        std::find(names.begin(), names.end(), check.columns()[fault.column])
+        std::find(names.begin(), names.end(), check.columns[fault.column])
       - names.begin();
     const auto printed = rows;
     for (label i = 0; i < count(fault.sources); ++i)

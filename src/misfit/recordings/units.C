@@ -72,13 +72,15 @@ static const HashTable<dimensionSet>& quantities()
 
 const Foam::misfit::unit* Foam::misfit::findUnit(const word& name)
 {
-    return units().found(name) ? &units()[name] : nullptr;
+    const auto found = units().cfind(name);
+    return found.found() ? &found.val() : nullptr;
 }
 
 
 const Foam::dimensionSet* Foam::misfit::findQuantity(const word& name)
 {
-    return quantities().found(name) ? &quantities()[name] : nullptr;
+    const auto found = quantities().cfind(name);
+    return found.found() ? &found.val() : nullptr;
 }
 
 

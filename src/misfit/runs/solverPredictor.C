@@ -190,7 +190,8 @@ Foam::misfit::solverPredictor::solverPredictor
     correction_(dict),
     template_(templateCase),
     replicateChanges_(readChanges(dict, "replicateChanges")),
-    store_(templateCase, dict)
+    store_(templateCase, dict),
+    rehearsed_(false)
 {
     const dictionary experiments(keywords::sub(dict, "experiments"));
     for (const word& name : recorded.experiments())

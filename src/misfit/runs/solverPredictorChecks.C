@@ -114,12 +114,13 @@ void Foam::misfit::solverPredictor::checkPlacesIn
 {
     if
     (
-        !isFile(caseFolder/"constant/polyMesh/faces")
-     || !once_.insert("places" + experiment)
+        placesChecked_.found(experiment)
+     || !isFile(caseFolder/"constant/polyMesh/faces")
     )
     {
         return;
     }
+    placesChecked_.insert(experiment);
 
     const keptPrecision after;
     Time runTime
@@ -160,7 +161,7 @@ void Foam::misfit::solverPredictor::checkWater
     if
     (
         here > 0 && there > 0 && mag(here/there - 1) > most
-     && once_.insert("water" + state.resolution + state.experiment)
+     && waterTold_.insert(state.experiment + state.resolution)
     )
     {
         WarningInFunction
@@ -196,7 +197,7 @@ void Foam::misfit::solverPredictor::checkEnd
         if
         (
             c.experiment == experiment && endTime < needed(c)
-         && once_.insert("end" + experiment)
+         && endsTold_.insert(experiment)
         )
         {
             WarningInFunction
@@ -280,10 +281,11 @@ Foam::misfit::solverPredictor::statesWithAllChanges
 
 void Foam::misfit::solverPredictor::rehearse()
 {
-    if (!once_.insert("rehearsal"))
+    if (rehearsed_)
     {
         return;
     }
+    rehearsed_ = true;
 
     List<wantedRun> runs;
     for (const word& experiment : recordings_.experiments())
