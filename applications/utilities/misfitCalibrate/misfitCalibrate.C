@@ -6,9 +6,7 @@
 #include "numberTable.H"
 #include "statisticsNames.H"
 
-#include "argList.H"
 #include "scalarField.H"
-#include "IFstream.H"
 #include "OFstream.H"
 #include "serialTool.H"
 
@@ -56,35 +54,29 @@ freeParameter readParameter(const word& name, const dictionary& dict)
 }
 
 
-//- Columns of a table, a row of the matrix for each
-mat columns(const numberTable& table, const wordList& names)
+//- Columns of the table that a keyword names, a row of the matrix for each
+mat columns(const dictionary& dict, const word& keyword, const wordList& names)
 {
-    const label n = table.rows.size();
-    mat result(names.size(), n);
+    const numberTable table(csvTable(dict.get<fileName>(keyword)));
+    mat result(names.size(), table.rows.size());
     forAll(names, i)
     {
-        const scalarList column = table.column(table.find(names[i]));
-        result.row(i) = Eigen::Map<const vec>(column.cdata(), n).transpose();
+        const scalarList column(table.column(table.find(names[i])));
+        result.row(i) =
+            Eigen::Map<const vec>(column.cdata(), column.size()).transpose();
     }
     return result;
 }
 
 
 //- Runs of one kind, the surface that they make, and what it shall come to
-class experiment
+struct experiment
 {
-public:
+    word name;
 
-    const word name;
+    wordList conditions;
 
-    const wordList conditions;
-
-    const wordList quantities;
-
-    //- Share of the wanted value that counts as one standard deviation
-    const scalarField shares;
-
-    label nRuns = 0;
+    wordList quantities;
 
     std::shared_ptr<const responseSurface> surface;
 
@@ -103,8 +95,7 @@ public:
     :
         name(name_),
         conditions(dict.lookupOrDefault("conditions", wordList())),
-        quantities(dict.get<wordList>("quantities")),
-        shares(dict.get<scalarList>("deviations"))
+        quantities(dict.get<wordList>("quantities"))
     {
         keywords::check
         (
@@ -114,45 +105,19 @@ public:
                 "targets", "predict"
             }
         );
-        if (shares.size() != quantities.size() || !shares.size() || min(shares) <= 0)
-        {
-            FatalIOErrorInFunction(dict)
-                << name << ": as many deviations, above zero, as quantities are needed;"
-                << " there are " << shares.size() << " of " << quantities.size()
-                << exit(FatalIOError);
-        }
-        makeSurface(csvTable(dict.get<fileName>("runs")), parameters, dict);
-        readTargets(csvTable(dict.get<fileName>("targets")));
+        makeSurface(dict, parameters);
+        readTargets(dict);
         if (dict.found("predict"))
         {
-            others = columns(csvTable(dict.get<fileName>("predict")), conditions);
+            others = columns(dict, "predict", conditions);
         }
-    }
-
-
-    //- Of each variable, whether mixed terms may have it
-    static std::vector<bool> mayMix
-    (
-        const wordList& variables,
-        const dictionary& dict
-    )
-    {
-        const bool all = !dict.found("mixed");
-        const wordRes mixed(keywords::patterns(dict, "mixed", variables));
-        std::vector<bool> result;
-        for (const word& name : variables)
-        {
-            result.push_back(all || mixed.match(name));
-        }
-        return result;
     }
 
 
     void makeSurface
     (
-        const numberTable& runs,
-        const std::vector<freeParameter>& parameters,
-        const dictionary& dict
+        const dictionary& dict,
+        const std::vector<freeParameter>& parameters
     )
     {
         wordList names(conditions);
@@ -160,48 +125,61 @@ public:
         {
             names.append(p.name);
         }
-        nRuns = runs.rows.size();
-        if (nRuns <= names.size())
+        const mat variables(columns(dict, "runs", names));
+        if (variables.cols() <= names.size())
         {
             FatalIOErrorInFunction(dict)
-                << name << ": " << nRuns << " runs in " << runs.file
-                << " do not tell " << names.size() << " variables apart: one more than"
-                << " variables at least" << exit(FatalIOError);
+                << name << ": " << variables.cols() << " runs in "
+                << dict.get<fileName>("runs") << " do not tell " << names.size()
+                << " variables apart: one more than variables at least"
+                << exit(FatalIOError);
         }
-
+        const wordRes mixed(keywords::patterns(dict, "mixed", names));
+        std::vector<bool> mayMix;
+        for (const word& variable : names)
+        {
+            mayMix.push_back(!dict.found("mixed") || mixed.match(variable));
+        }
         surface = statistics::surfaceOf
         (
-            columns(runs, names), columns(runs, quantities), parameters,
-            mayMix(names, dict)
+            variables, columns(dict, "runs", quantities), parameters, mayMix
         );
     }
 
 
-    void readTargets(const numberTable& table)
+    void readTargets(const dictionary& dict)
     {
-        const mat under = columns(table, conditions);
-        const mat wanted = columns(table, quantities);
+        // Share of the wanted value that counts as one standard deviation
+        const scalarField shares(dict.get<scalarList>("deviations"));
+        if (shares.size() != quantities.size() || !shares.size() || min(shares) <= 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << name << ": as many deviations, above zero, as quantities are needed;"
+                << " there are " << shares.size() << " of " << quantities.size()
+                << exit(FatalIOError);
+        }
+        const mat under(columns(dict, "targets", conditions));
+        const mat wanted(columns(dict, "targets", quantities));
+        forAll(quantities, q)
+        {
+            if ((wanted.row(q).array() == 0).any())
+            {
+                FatalIOErrorInFunction(dict)
+                    << "The target of " << quantities[q] << " in "
+                    << dict.get<fileName>("targets") << " is 0, and its deviation,"
+                    << " a fraction of it, would be 0, too. Give a small value"
+                    << " instead, and in deviations its standard deviation as a"
+                    << " multiple of that value" << exit(FatalIOError);
+            }
+        }
         const Eigen::Map<const vec> share(shares.cdata(), shares.size());
+        const mat deviations(share.asDiagonal()*wanted.cwiseAbs());
         for (label i = 0; i < wanted.cols(); ++i)
         {
-            for (label q = 0; q < quantities.size(); ++q)
-            {
-                if (wanted(q, i) == 0)
-                {
-                    FatalErrorInFunction
-                        << "The target of " << quantities[q] << " in " << table.file
-                        << " is 0, and its deviation, a fraction of it, would be 0,"
-                        << " too. Give a small value instead, and in deviations its"
-                        << " standard deviation as a multiple of that value"
-                        << exit(FatalError);
-                }
-            }
-            calibrationTarget t;
-            t.surface = surface;
-            t.conditions = under.col(i);
-            t.wanted = wanted.col(i);
-            t.deviation = t.wanted.cwiseAbs().cwiseProduct(share);
-            targets.push_back(t);
+            targets.push_back
+            ({
+                surface, under.col(i), wanted.col(i), deviations.col(i)
+            });
         }
     }
 
@@ -210,6 +188,7 @@ public:
     void printFreedom() const
     {
         const auto& leverage = surface->leverage().array();
+        const label nRuns = leverage.size();
         const label bound = (leverage >= responseSurface::fixesTerm).count();
         Info<< name << ": " << nRuns << " runs, surface of " << surface->nTerms()
             << " terms, " << nRuns - surface->nTerms()
@@ -225,56 +204,40 @@ public:
     }
 
 
-    //- Conditions in words, as "D 0.02 M 185"
-    string describe(const vec& values) const
+    //- Lines of the table of predictions, with the root mean square of the errors at
+    //  runs left out [unit of the quantity]; none where there are as many terms as runs
+    void print(Ostream& os, const vec& parameters) const
     {
-        string text;
-        forAll(conditions, i)
+        const mat& left = surface->leftOut();
+        const label n = targets.size();
+        forAll(quantities, q)
         {
-            text +=
-                (i ? " " : "") + conditions[i] + " " + Foam::name(values[i]);
+            const string error
+            (
+                left.cols()
+              ? Foam::name(std::sqrt(left.row(q).squaredNorm()/left.cols()))
+              : word("none")
+            );
+            for (label i = 0; i < n + others.cols(); ++i)
+            {
+                const bool isTarget = i < n;
+                const vec under(isTarget ? targets[i].conditions : others.col(i - n));
+                os << (isTarget ? "target," : "predicted,") << name << ',';
+                forAll(conditions, c)
+                {
+                    os << (c ? " " : "") << conditions[c] << ' ' << under[c];
+                }
+                os << ',' << quantities[q] << ',';
+                if (isTarget)
+                {
+                    os << targets[i].wanted[q];
+                }
+                os  << ',' << calibration::predicted(*surface, under, parameters)[q]
+                    << ',' << error.c_str() << nl;
+            }
         }
-        return text;
-    }
-
-
-    //- Root mean square of the errors at runs left out [unit of the quantity]; none
-    //  where there are as many terms as runs
-    string leftOut(const label quantity) const
-    {
-        const mat& errors = surface->leftOut();
-        return
-            errors.cols()
-          ? Foam::name(std::sqrt(errors.row(quantity).squaredNorm()/errors.cols()))
-          : string("none");
     }
 };
-
-
-//- Lines of the table of what was predicted
-void printPredictions(Ostream& os, const experiment& e, const vec& parameters)
-{
-    const auto line =
-        [&](const char* what, const vec& conditions, const label q, const string& wanted)
-    {
-        os  << what << ',' << e.name << ',' << e.describe(conditions).c_str() << ','
-            << e.quantities[q] << ',' << wanted.c_str() << ','
-            << calibration::predicted(*e.surface, conditions, parameters)[q] << ','
-            << e.leftOut(q).c_str() << nl;
-    };
-
-    forAll(e.quantities, q)
-    {
-        for (const calibrationTarget& t : e.targets)
-        {
-            line("target", t.conditions, q, Foam::name(t.wanted[q]));
-        }
-        for (label i = 0; i < e.others.cols(); ++i)
-        {
-            line("predicted", e.others.col(i), q, "");
-        }
-    }
-}
 
 } // End namespace Foam::misfit
 
@@ -291,16 +254,9 @@ int main(int argc, char* argv[])
     );
     argList::noParallel();
     argList::addArgument("dictionary");
-
     startSerialTool();
     const argList args(argc, argv);
-    const fileName file(args[1]);
-    IFstream is(file);
-    if (!is.good())
-    {
-        FatalErrorInFunction << "Cannot read " << file << exit(FatalError);
-    }
-    const dictionary dict(is);
+    const dictionary dict(readArgument(args));
     keywords::check(dict, {"FoamFile", "parameters", "experiments"});
 
     std::vector<freeParameter> parameters;
@@ -308,7 +264,6 @@ int main(int argc, char* argv[])
     {
         parameters.push_back(readParameter(e.keyword(), e.dict()));
     }
-
     std::vector<experiment> experiments;
     std::vector<calibrationTarget> targets;
     for (const entry& e : dict.subDict("experiments"))
@@ -326,7 +281,7 @@ int main(int argc, char* argv[])
     Info<< "Sum of squares of the misfit " << best.misfit << " of "
         << best.f.size() << " numbers" << nl;
 
-    OFstream os(file.lessExt() + ".csv");
+    OFstream os(fileName(args[1]).lessExt() + ".csv");
     os  << "what,name,conditions,quantity,wanted,value,error" << nl;
     for (label i = 0; i < count(parameters); ++i)
     {
@@ -336,14 +291,15 @@ int main(int argc, char* argv[])
           < 1e-6*(p.upper - p.lower);
         const char* how =
             p.levels.size() ? "level" : atBound ? "at a bound" : "free";
+        const scalar value = p.value(chosen[i]);
 
-        os  << "parameter," << p.name.c_str() << ",," << how << ",," << p.value(chosen[i]) << ','
+        os  << "parameter," << p.name.c_str() << ",," << how << ",," << value << ','
             << deviations[i] << (p.logarithmic ? " decades" : "") << nl;
-        Info<< "    " << p.name.c_str() << ' ' << p.value(chosen[i]) << " (" << how << ')' << nl;
+        Info<< "    " << p.name.c_str() << ' ' << value << " (" << how << ')' << nl;
     }
     for (const experiment& e : experiments)
     {
-        printPredictions(os, e, chosen);
+        e.print(os, chosen);
     }
     Info<< "Written: " << os.name() << endl;
     return os.good() ? 0 : 1;
