@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Diagnoses concealed cases, without a look at the key.
 
-#include "concealedSet.H"
+#include "concealedSide.H"
 #include "diagnosis.H"
 #include "gaussianProcess.H"
-#include "record.H"
 #include "report.H"
 #include "textFile.H"
 #include "words.H"
 
-#include "IFstream.H"
 #include "OSspecific.H"
+
+#include <algorithm>
 
 namespace
 {
@@ -47,19 +47,6 @@ json rival(const finding& f, const scalar clockUncertainty)
 }
 
 
-//- The first of the explanations as a state, with or without its mechanisms
-runState stateOf(const finding& f, const settings& set, const bool with)
-{
-    const scored& best = f.best();
-    wordList names;
-    for (const int m : best.what.mechanisms)
-    {
-        names.append(set.candidates[m].name);
-    }
-    return stateOf(set, "A", with ? names : wordList(), best.best.x);
-}
-
-
 //- What the named mechanisms change at the fitted channels
 json effect(const finding& f, const settings& set, sampler& ask)
 {
@@ -67,10 +54,41 @@ json effect(const finding& f, const settings& set, sampler& ask)
     {
         return json::array();
     }
-    const List<samples> two(ask({stateOf(f, set, true), stateOf(f, set, false)}));
+    wordList names;
+    for (const int m : f.best().what.mechanisms)
+    {
+        names.append(set.candidates[m].name);
+    }
+    const vec& x = f.best().best.x;
+    const List<samples> two
+    (
+        ask({stateOf(set, "A", names, x), stateOf(set, "A", wordList(), x)})
+    );
     return
         two[0].ok() && two[1].ok()
       ? json(vec(two[0].calibration - two[1].calibration)) : json::array();
+}
+
+
+//- Folders of cases, in their order; fatal if there are none
+fileNameList caseFolders(const fileName& folder)
+{
+    fileNameList all;
+    for (const fileName& d : readDir(folder, fileName::DIRECTORY))
+    {
+        if (isFile(folder/d/"level"))
+        {
+            all.append(folder/d);
+        }
+    }
+    if (all.empty())
+    {
+        FatalErrorInFunction
+            << "There are no cases in " << folder << ": make some with -make, or give"
+            << " another -folder" << exit(FatalError);
+    }
+    std::sort(all.begin(), all.end());
+    return all;
 }
 
 } // End anonymous namespace
@@ -88,8 +106,8 @@ void Foam::misfit::diagnoseCases(concealedSide& library, const fileName& folder)
         {
             continue;
         }
-        const recordings recorded(withFiles(library.dict(), c), c);
-        predictedSampler ask(recorded, library, library.trainingEnsemble("A"));
+        const recordings recorded(library.recorded(c));
+        predictedSampler ask(recorded, library, library.trainingEnsemble());
         const finding found(diagnose(ask, set));
         const json proof =
         {

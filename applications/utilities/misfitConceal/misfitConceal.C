@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Makes, diagnoses and scores cases whose cause is concealed.
 
-#include "concealedSet.H"
+#include "concealedSide.H"
 #include "confidenceFit.H"
 #include "textFile.H"
 
-#include "argList.H"
-#include "OSspecific.H"
 #include "serialTool.H"
 
 #include <random>
@@ -26,59 +24,39 @@ void addOptions()
     );
     argList::noParallel();
     argList::noFunctionObjects();
-    argList::addOption("folder", "dir", "Of the cases");
-    argList::addOption("key", "file", "The key; folder/key.json if not given");
-    argList::addOption
-    (
-        "ensemble", "dir", "Of the training ensembles; ensemble of the slice if not given"
-    );
-    argList::addOption("make", "n", "Make so many cases and their key");
-    argList::addOption("seed", "number", "For make; secret if not given");
-    argList::addBoolOption("diagnose", "Diagnose all cases in the folder");
-    argList::addBoolOption("score", "Score the verdicts against the key");
-    argList::addOption
-    (
-        "calibrate", "cases.csv", "Fit the table of confidences to scored cases"
-    );
-    argList::addOption("table", "file", "For calibrate: that table");
-    argList::addBoolOption
-    (
-        "check",
-        "Compute a run of each ensemble that is used anew and tell the difference"
-    );
-    argList::addBoolOption("solver", "Each state by the solver, not the ensemble");
-}
-
-
-//- Largest difference of a run of these ensembles, computed anew, over the
-//  uncertainty of a reading
-scalar difference
-(
-    const fileName& slice,
-    const fileName& ensembles,
-    const wordList& sides
-)
-{
-    scalar largest = 0;
-    for (const word& side : sides)
+    const char* const options[][3] =
     {
-        if (!isFile(ensembles/side + ".txt", false))
-        {
-            FatalErrorInFunction
-                << "There is no ensemble " << ensembles/side + ".txt"
-                << " to check: -make, -diagnose and -score without -solver compute it" << exit(FatalError);
-        }
-        largest =
-            max(largest, concealedSide(slice, ensembles, side, false).difference(1));
+        {"folder", "dir", "Folder of the cases"},
+        {"key", "file", "The key; folder/key.json if not given"},
+        {"ensemble", "dir", "Training ensembles; ensemble of the slice if not given"},
+        {"make", "n", "Make so many cases and their key"},
+        {"seed", "number", "With -make; secret if not given"},
+        {"diagnose", "", "Diagnose all cases in the folder"},
+        {"score", "", "Score the verdicts against the key"},
+        {"calibrate", "cases.csv", "Fit the table of confidences to scored cases"},
+        {"table", "file", "With -calibrate: write the table there"},
+        {"check", "", "Compute a run of each ensemble that is used anew and tell the"
+            " difference"},
+        {"solver", "", "Each state by the solver, not the ensemble"}
+    };
+    for (const auto& option : options)
+    {
+        argList::addOption(option[0], option[1], option[2]);
     }
-    return largest;
 }
 
 
-//- Of a path as it is given: from where the program was started
-fileName absolute(fileName path)
+//- The whole number of an option
+label number(const argList& args, const word& option)
 {
-    return path.toAbsolute();
+    label n = 0;
+    if (!read(args[option], n))
+    {
+        FatalErrorInFunction
+            << '-' << option << " needs a whole number, not " << args[option].c_str()
+            << exit(FatalError);
+    }
+    return n;
 }
 
 
@@ -90,23 +68,80 @@ void checkAction(const argList& args)
     {
         any = any || args.found(what);
     }
-    if (!any || (args.found("make") && args.get<label>("make") < 1))
+    const char* missing =
+        !any || (args.found("make") && number(args, "make") < 1)
+      ? "Nothing to do: give -make with a number above 0, -diagnose, -score,"
+        " -calibrate or -check"
+      : args.found("calibrate") && !args.found("table")
+      ? "-calibrate needs -table too: the file that the table of confidences"
+        " is written to"
+      : !args.found("calibrate") && !args.found("folder")
+      ? "Give -folder with the folder of the cases"
+      : nullptr;
+    if (missing)
+    {
+        FatalErrorInFunction << missing << exit(FatalError);
+    }
+}
+
+
+//- Of an option, from where the program was started
+fileName path(const argList& args, const word& option, const fileName& byDefault)
+{
+    fileName given(args.lookupOrDefault<fileName>(option, byDefault));
+    return given.toAbsolute();
+}
+
+
+//- Makes cases and their key, or goes on with the key that is there
+void make
+(
+    const argList& args,
+    const fileName& ensembles,
+    const fileName& folder,
+    const fileName& keyFile
+)
+{
+    const bool isGiven = args.found("seed");
+    const label seed =
+        isGiven ? number(args, "seed") : label(std::random_device()() >> 1);
+    mkDir(folder);
+
+    // Before an ensemble is computed
+    if (!isFile(keyFile, false))
+    {
+        const json key = {{"seed", seed}, {"cases", json::array()}};
+        writeWhole(keyFile, key.dump(1) + '\n');
+    }
+    else if (isGiven && readJson(keyFile)["seed"] != seed)
     {
         FatalErrorInFunction
-            << "Nothing to do: give -make with a number above 0, -diagnose, -score,"
-            << " -calibrate or -check" << exit(FatalError);
+            << "The key " << keyFile << " has another seed than " << seed
+            << ". Leave -seed out to go on with it, or remove it and its cases"
+            << exit(FatalError);
     }
-    if (args.found("calibrate") && !args.found("table"))
+    concealedSide truth(args.path(), ensembles, "truth", args.found("solver"));
+    makeCases(truth, folder, keyFile, number(args, "make"));
+}
+
+
+//- Prints the largest difference of a run of these ensembles, computed anew, over the
+//  uncertainty of a reading
+void check(const fileName& slice, const fileName& ensembles, const wordList& sides)
+{
+    scalar largest = 0;
+    for (const word& side : sides)
     {
-        FatalErrorInFunction
-            << "-calibrate needs -table too: the file that the table of confidences"
-            << " is written to" << exit(FatalError);
+        const fileName file(ensembles/side + ".txt");
+        checkThere
+        (
+            file, "-make, -diagnose and -score without -solver compute that ensemble"
+        );
+        largest =
+            max(largest, concealedSide(slice, ensembles, side, false).difference(1));
     }
-    if (!args.found("calibrate") && !args.found("folder"))
-    {
-        FatalErrorInFunction
-            << "Give -folder with the folder of the cases" << exit(FatalError);
-    }
+    // A run of some seconds tells how far it is meanwhile
+    Info<< "check " << largest << endl;
 }
 
 } // End anonymous namespace
@@ -120,42 +155,25 @@ int main(int argc, char* argv[])
     checkAction(args);
     if (args.found("calibrate"))
     {
-        const fileName table(absolute(args.get<fileName>("table")));
-        writeWhole
-        (
-            table, fittedTable(readKnownCases(args.get<fileName>("calibrate")))
-        );
+        const fileName cases(args.get<fileName>("calibrate"));
+        writeWhole(path(args, "table", ""), fittedTable(readKnownCases(cases)));
         return 0;
     }
     const fileName slice(args.path());
-    const fileName folder(absolute(args.get<fileName>("folder")));
-    const fileName key
-    (
-        absolute(args.lookupOrDefault<fileName>("key", folder/"key.json"))
-    );
-    const fileName ensembles
-    (
-        absolute(args.lookupOrDefault<fileName>("ensemble", slice/"ensemble"))
-    );
+    const fileName folder(path(args, "folder", ""));
+    const fileName key(path(args, "key", folder/"key.json"));
+    const fileName ensembles(path(args, "ensemble", slice/"ensemble"));
     const bool solver = args.found("solver");
+    const bool diagnoses = args.found("diagnose");
 
     if (args.found("make"))
     {
-        // Before an ensemble is computed
-        const label secret = label(std::random_device()() >> 1);
-        const label seed = args.lookupOrDefault<label>("seed", secret);
-        mkDir(folder);
-        beginKey(key, seed, args.found("seed"));
-        concealedSide truth(slice, ensembles, "truth", solver);
-        makeCases(truth, folder, key, args.get<label>("make"));
+        make(args, ensembles, folder, key);
     }
-    if (args.found("diagnose") || args.found("score"))
+    if (diagnoses || args.found("score"))
     {
-        concealedSide library
-        (
-            slice, ensembles, "library", solver && args.found("diagnose")
-        );
-        if (args.found("diagnose"))
+        concealedSide library(slice, ensembles, "library", solver && diagnoses);
+        if (diagnoses)
         {
             diagnoseCases(library, folder);
         }
@@ -167,14 +185,11 @@ int main(int argc, char* argv[])
     if (args.found("check"))
     {
         // The solver's truth has no ensemble
-        wordList sides(1, "library");
-        if (!solver)
-        {
-            sides.append("truth");
-        }
-        // Found first: a run of some seconds tells how far it is meanwhile
-        const scalar largest = difference(slice, ensembles, sides);
-        Info<< "check " << largest << endl;
+        check
+        (
+            slice, ensembles,
+            solver ? wordList({"library"}) : wordList({"library", "truth"})
+        );
     }
     return 0;
 }

@@ -2,19 +2,64 @@
 // A concealed case once its key is open.
 
 #include "openedCase.H"
+#include "diagnosis.H"
 
+#include "OSspecific.H"
 #include "stringOps.H"
 
 #include <algorithm>
+#include <map>
 
 namespace
 {
 
 using namespace Foam;
 using namespace Foam::misfit;
-using json = nlohmann::json;
-
 using nameList = std::vector<std::string>;
+
+//- What the channels see of an effect, with all that is uncertain; for cases with one
+//  level of noise
+struct detectability
+{
+    recordings recorded;
+
+    predictedSampler ask;
+
+    const settings set;
+
+    const visibility visible;
+
+    const stacked& data;
+
+
+    //- From the recordings of any of these cases: only their times count
+    detectability(concealedSide& library, const fileName& caseFolder)
+    :
+        recorded(library.recorded(caseFolder)),
+        ask(recorded, library, library.trainingEnsemble()),
+        set(readSettings(library.dict())),
+        visible(misfit::visible(ask, set)),
+        data(ask.data().first().calibration)
+    {}
+
+
+    //- Norm over the noise of the sensors
+    scalar noiseSNR(const vec& effect) const
+    {
+        return whitener(visible.sensors)(effect).norm();
+    }
+
+
+    //- Where and when what calibration leaves of an effect is beyond so many standard
+    //  deviations of all that is uncertain as a diagnosis takes
+    std::vector<window> places(const vec& effect) const
+    {
+        // The parameters take up what they can within their priors
+        const vec left = visible.all*visible.calibrated.ldlt().solve(effect);
+        return statistics::stretches(data, left, visible.all, set.beyond);
+    }
+};
+
 
 nameList sorted(nameList all)
 {
@@ -23,155 +68,182 @@ nameList sorted(nameList all)
 }
 
 
-scalar begins(const openedCase& c, const window& w)
+scalarList listOf(const json& numbers)
 {
-    const segment& s = c.data->segments[w.segment];
-    return s.x[w.begin] - 0.5*s.span;
+    scalarList list(numbers.size());
+    std::copy(numbers.begin(), numbers.end(), list.begin());
+    return list;
 }
 
 
-scalar ends(const openedCase& c, const window& w)
+vec vecOf(const scalarList& list)
 {
-    const segment& s = c.data->segments[w.segment];
-    return s.x[w.end - 1] + 0.5*s.span;
+    return Eigen::Map<const vec>(list.cdata(), list.size());
 }
 
-} // End anonymous namespace
 
-
-std::vector<std::string> Foam::misfit::openedCase::truth() const
+//- The samples of an effect that a key has as series
+vec sampled(const json& effect, const detectability& detect)
 {
-    nameList all;
-    for (const json& m : key["mechanisms"])
+    vec all(detect.data.size());
+    for (const segment& s : detect.data.segments)
     {
-        all.push_back(m["name"]);
+        const json& given = effect.at(s.name);
+        const series change(listOf(given["t"]), listOf(given["change"]));
+        for (const channel& c : detect.recorded.channels())
+        {
+            if (c.name == s.name)
+            {
+                s.of(all) = vecOf(c.sampled(change));
+            }
+        }
     }
-    return sorted(all);
+    return all;
 }
 
 
-std::vector<std::string> Foam::misfit::openedCase::names() const
+//- One of a set is at least part of the cause
+bool setIsRight(const openedCase& c)
 {
-    return sorted(verdict["names"]);
-}
-
-
-bool Foam::misfit::openedCase::nothingWrong() const
-{
-    const nameList real(truth());
-    const nameList said(names());
-    return
-        named() && std::includes(real.begin(), real.end(), said.begin(), said.end());
-}
-
-
-bool Foam::misfit::openedCase::hasTruthInSet() const
-{
-    const nameList real(truth());
-    return
-        said() == "set" && real.size()
-     && statistics::contains(names(), real.front());
-}
-
-
-bool Foam::misfit::openedCase::setIsRight() const
-{
-    const nameList real(truth());
-    const nameList said(names());
-    return std::any_of(said.begin(), said.end(), [&](const std::string& one)
+    return std::any_of(c.names.begin(), c.names.end(), [&](const std::string& one)
     {
         // The mechanisms of one of the set, or the fault of a sensor as it is worded
         const auto parts(stringOps::split(one, " and "));
         return
-            (faulty().size() && one.find("of " + faulty()) != one.npos)
+            (c.faulty.size() && one.find("of " + c.faulty) != one.npos)
          || std::all_of(parts.begin(), parts.end(), [&](const auto& part)
             {
-                return statistics::contains(real, part.str());
+                return statistics::contains(c.truth, part.str());
             });
     });
 }
 
 
-bool Foam::misfit::openedCase::isRight() const
+bool isRight(const openedCase& c)
 {
     return
-        said() == "set" ? setIsRight()
-      : said() == "none" ? kind() == "null"
-      : said() == "unknown" ? kind() == "outside"
-      : blamesChannel() ? faulty().size() && names() == nameList({faulty()})
-      : nothingWrong();
+        c.said == "set" ? setIsRight(c)
+      : c.said == "none" ? c.kind == "null"
+      : c.said == "unknown" ? c.kind == "outside"
+      : c.blamesChannel() ? c.faulty.size() && c.names == nameList({c.faulty})
+      : c.nothingWrong;
 }
 
 
-bool Foam::misfit::openedCase::blamesPhysics() const
+//- Sets how well it was located
+void compare
+(
+    openedCase& c,
+    const std::vector<window>& places,
+    const stacked& data
+)
 {
-    const nameList said(names());
-    const bool aFault = std::any_of(said.begin(), said.end(), [&](const auto& name)
-    {
-        return name.find(faulty()) != name.npos;
-    });
-    return named() || (this->said() == "set" && !aFault);
-}
-
-
-std::optional<Foam::scalar> Foam::misfit::openedCase::overlap() const
-{
-    if (effect.places.empty())
-    {
-        return {};
-    }
     scalar both = 0;
     scalar lengths = 0;
-    for (const window& a : effect.places)
+    scalar real = GREAT;
+    scalar last = 0;
+    for (const window& a : places)
     {
-        lengths += ends(*this, a) - begins(*this, a);
-        for (const json& b : verdict["located"])
+        const segment& s = data.segments[a.segment];
+        const scalar begin = s.x[a.begin] - 0.5*s.span;
+        const scalar end = s.x[a.end - 1] + 0.5*s.span;
+        lengths += end - begin;
+        real = min(real, begin);
+        last = max(last, s.x[s.size - 1]);
+        for (const json& b : c.verdict["located"])
         {
-            if (b["channel"] == data->segments[a.segment].name)
+            if (b["channel"] == s.name)
             {
-                both += max
-                (
-                    min(ends(*this, a), b["to"].get<scalar>())
-                  - max(begins(*this, a), b["from"].get<scalar>()),
-                    0.0
-                );
+                const scalar from = max(begin, b["from"].get<scalar>());
+                both += max(min(end, b["to"].get<scalar>()) - from, 0.0);
             }
         }
     }
-    for (const json& b : verdict["located"])
-    {
-        lengths += b["to"].get<scalar>() - b["from"].get<scalar>();
-    }
-    return 2*both/lengths;
-}
-
-
-std::optional<Foam::scalar> Foam::misfit::openedCase::onset() const
-{
-    if (effect.places.empty())
-    {
-        return {};
-    }
-    scalar real = GREAT;
     scalar found = GREAT;
-    scalar end = 0;
-    for (const window& a : effect.places)
-    {
-        const segment& s = data->segments[a.segment];
-        real = min(real, begins(*this, a));
-        end = max(end, s.x[s.size - 1]);
-    }
-    for (const json& b : verdict["located"])
+    for (const json& b : c.verdict["located"])
     {
         found = min(found, b["from"].get<scalar>());
+        lengths += b["to"].get<scalar>() - b["from"].get<scalar>();
     }
-    const segment& s = data->segments.front();
-    return 100*(found == GREAT ? end : mag(found - real))/(s.duration() + s.span);
+    const segment& s = data.segments.front();
+    c.overlap = 2*both/lengths;
+    c.onset = 100*(found == GREAT ? last : mag(found - real))/(s.duration() + s.span);
 }
 
 
-std::optional<Foam::scalar> Foam::misfit::openedCase::sizeOff() const
+openedCase opened
+(
+    const json& key,
+    const fileName& folder,
+    const detectability& detect
+)
 {
-    using size = std::optional<scalar>;
-    return namedSize > 0 ? size(100*mag(namedSize/effect.noiseSNR - 1)) : size();
+    openedCase c;
+    c.key = key;
+    c.verdict = readJson(folder/"verdict.json");
+    c.proof = readJson(folder/"proof.json");
+    c.kind = key["kind"];
+    c.said = c.verdict["verdict"];
+    c.faulty = key["faulty"];
+    for (const json& m : key["mechanisms"])
+    {
+        c.truth.push_back(m["name"]);
+    }
+    c.truth = sorted(c.truth);
+    c.names = sorted(c.verdict["names"]);
+    c.confidence = c.verdict["confidence"];
+    c.nothingWrong =
+        c.said == "named"
+     && std::includes
+        (
+            c.truth.begin(), c.truth.end(), c.names.begin(), c.names.end()
+        );
+    c.right = isRight(c);
+
+    const vec effect(sampled(key["effect"], detect));
+    c.noiseSNR = detect.noiseSNR(effect);
+    c.SNR = whitener(detect.visible.calibrated)(effect).norm();
+    const json& named = c.proof["effect"];
+    const scalar size = named.empty() ? 0 : detect.noiseSNR(vecOf(listOf(named)));
+    if (size > 0)
+    {
+        c.sizeOff = 100*mag(size/c.noiseSNR - 1);
+    }
+    const std::vector<window> places(detect.places(effect));
+    if (places.size())
+    {
+        compare(c, places, detect.data);
+    }
+    return c;
+}
+
+} // End anonymous namespace
+
+
+std::vector<Foam::misfit::openedCase> Foam::misfit::openCases
+(
+    concealedSide& library,
+    const fileName& folder,
+    const fileName& keyFile
+)
+{
+    const json all(readJson(keyFile));
+    std::vector<openedCase> cases;
+    std::map<std::string, detectability> byNoise;
+    for (const json& key : all.at("cases"))
+    {
+        const fileName here(folder/key["case"].get<std::string>());
+        if (isFile(here/"verdict.json", false))
+        {
+            const auto detect =
+                byNoise.try_emplace(key["noise"].dump(), library, here).first;
+            cases.push_back(opened(key, here, detect->second));
+        }
+    }
+    if (cases.size() < all["cases"].size())
+    {
+        Info<< all["cases"].size() - cases.size() << " cases have no verdict yet"
+            << endl;
+    }
+    return cases;
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The scores of verdicts on concealed cases.
+// The scores of verdicts on concealed cases, with their intervals.
 
-#include "scores.H"
-#include "interval.H"
+#include "openedCase.H"
 #include "report.H"
 
-#include <optional>
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace
@@ -13,6 +13,106 @@ namespace
 
 using namespace Foam;
 using namespace Foam::misfit;
+
+//- Standard deviations of an interval of 95 %
+const scalar z = 1.96;
+
+//- A value with its interval of 95 %
+struct interval
+{
+    scalar value = 0;
+
+    scalar low = 0;
+
+    scalar high = 0;
+
+    //- The sample is large enough for an interval of 95 %
+    bool known = true;
+};
+
+
+//- Of a share where 1 is a hit and 0 none (Wilson 1927, J. Am. Stat. Assoc. 22:209)
+interval ofShare(const scalarList& hits)
+{
+    const scalar n = hits.size();
+    const scalar p = sum(hits)/n;
+    const scalar middle = (p + z*z/(2*n))/(1 + z*z/n);
+    const scalar half = z*std::sqrt(p*(1 - p)/n + z*z/(4.0*n*n))/(1 + z*z/n);
+    return
+    {
+        p, p > 0 ? max(middle - half, 0.0) : 0, p < 1 ? min(middle + half, 1.0) : 1
+    };
+}
+
+
+interval ofPercent(const scalarList& hits)
+{
+    const interval i(ofShare(hits));
+    return {100*i.value, 100*i.low, 100*i.high};
+}
+
+
+//- Of a median, by the binomial distribution of the ranks, as a normal one
+//  (Conover 1999, Practical Nonparametric Statistics, sect. 3.2)
+interval ofMedian(const scalarList& numbers)
+{
+    scalarList values(numbers);
+    std::sort(values.begin(), values.end());
+    const label n = values.size();
+    const scalar half = 0.5*z*std::sqrt(scalar(n));
+    const auto ranked = [&](const scalar rank)
+    {
+        return values[min(max(label(rank) - 1, label(0)), n - 1)];
+    };
+    // The least and the largest of five hold the median in 94 of 100 cases
+    return
+    {
+        0.5*(values[(n - 1)/2] + values[n/2]),
+        ranked(std::floor(0.5*n - half)),
+        ranked(std::ceil(1 + 0.5*n + half)),
+        n > 5
+    };
+}
+
+
+//- Of a mean of what is never negative, as a normal distribution
+interval ofMean(const scalarList& values)
+{
+    const label n = values.size();
+    scalar mean = 0;
+    scalar squares = 0;
+    for (const scalar v : values)
+    {
+        mean += v/n;
+    }
+    for (const scalar v : values)
+    {
+        squares += sqr(v - mean);
+    }
+    const scalar half = z*std::sqrt(squares)/max(n, label(2));
+    return {mean, max(mean - half, 0.0), mean + half};
+}
+
+
+//- goal: "<= 5" or ">= 90". "short": the value misses it; "shown": so does no
+//  value of the interval; "open": reached, but the sample is too small to say so
+std::string against(const interval& i, const std::string& goal)
+{
+    if (goal.empty())
+    {
+        return "";
+    }
+    const scalar bound = std::stod(goal.substr(3));
+    const bool least = goal[0] == '>';
+    const auto reaches = [&](const scalar v)
+    {
+        return least ? v >= bound : v <= bound;
+    };
+    return
+        !reaches(i.value) ? "short"
+      : i.known && reaches(least ? i.low : i.high) ? "shown" : "open";
+}
+
 
 //- What a case adds to a score, if it counts there
 using added = std::optional<scalar>;
@@ -26,122 +126,142 @@ added where(const bool counts, const scalar value)
 }
 
 
-struct score
-{
-    const char* what;
-
-    const char* goal;
-
-    added (*of)(Case);
-};
-
-
 //- What is missing is in the library
-bool isInside(const openedCase& c)
+bool isInside(Case c)
 {
-    return c.kind() == "single" || c.kind() == "pair";
+    return c.kind == "single" || c.kind == "pair";
 }
 
 
-bool isStrong(const openedCase& c, const char* kind)
+//- The effect can be seen
+bool isStrong(Case c)
 {
-    return c.kind() == kind && c.isStrong();
+    return c.SNR >= c.detectableFrom;
+}
+
+
+bool isStrong(Case c, const char* kind)
+{
+    return c.kind == kind && isStrong(c);
+}
+
+
+bool isOverNoise(Case c)
+{
+    return c.noiseSNR >= c.detectableFrom;
+}
+
+
+bool isNamed(Case c)
+{
+    return c.said == "named";
+}
+
+
+//- What is named is all that it has
+bool allNamed(Case c)
+{
+    return isNamed(c) && c.names == c.truth;
+}
+
+
+//- The first of its mechanisms is one of several that are not told apart
+bool hasTruthInSet(Case c)
+{
+    return
+        c.said == "set" && c.truth.size()
+     && statistics::contains(c.names, c.truth.front());
+}
+
+
+//- A sensor is faulty, but all that is said is about mechanisms
+bool blamesPhysics(Case c)
+{
+    const bool aFault =
+        std::any_of(c.names.begin(), c.names.end(), [&](const std::string& name)
+        {
+            return name.find(c.faulty) != name.npos;
+        });
+    return isNamed(c) || (c.said == "set" && !aFault);
 }
 
 
 //- Share of the misfit at held-out data that is gone [%]; none where there was no
 //  misfit to speak of, or nothing was named
-added gone(const openedCase& c, const nlohmann::json& held, const char* what)
+added gone(Case c, const json& held, const char* what)
 {
-    for (const nlohmann::json& h : held)
+    for (const json& h : held)
     {
         const scalar before = h["meanSquareBefore"];
         const scalar after = h["meanSquareAfter"];
         if (h["what"] == what && before > 2)
         {
-            return where(isInside(c) && c.named(), 100*(before - after)/(before - 1));
+            return where(isInside(c) && isNamed(c), 100*(before - after)/(before - 1));
         }
     }
     return added();
 }
 
 
-//- Shares: of the cases that count, 1 is a hit
-const score shares[] =
+//- A row of the table: of what the cases add that count there
+struct score
 {
-    {"nulls with another verdict than none [%]", "<= 5", [](Case c)
-        { return where(c.kind() == "null", !c.isRight()); }},
-    {"single: right name where SNR >= 5 [%]", ">= 90", [](Case c)
-        { return where(isStrong(c, "single"), c.allNamed()); }},
-    {"single: right name where SNR of the noise alone >= 5 [%]", ">= 90", [](Case c)
-        { return where(c.kind() == "single" && c.isOverNoise(), c.allNamed()); }},
-    {"single: right name or in the set where SNR >= 5 [%]", "", [](Case c)
-        { return where(isStrong(c, "single"), c.allNamed() || c.hasTruthInSet()); }},
-    {"pair: both named where SNR >= 5 [%]", "", [](Case c)
-        { return where(isStrong(c, "pair"), c.allNamed()); }},
-    {"pair: right where something is named [%]", "", [](Case c)
-        { return where(isStrong(c, "pair") && c.named(), c.nothingWrong()); }},
-    {"a name that is given is right [%]", ">= 98", [](Case c)
-        { return where(c.named(), c.isRight()); }},
-    {"outside the library: unknown where SNR >= 5 [%]", ">= 80", [](Case c)
-        { return where(isStrong(c, "outside"), c.isRight()); }},
-    {"outside the library: wrongly named [%]", "<= 10", [](Case c)
-        { return where(c.kind() == "outside", c.named()); }},
-    {"physics blamed on a sensor [%]", "", [](Case c)
-        { return where(isInside(c) || c.kind() == "outside", c.blamesChannel()); }},
-    {"sensor fault blamed on physics [%]", "<= 5", [](Case c)
-        { return where(c.kind() == "sensor", c.blamesPhysics()); }},
-    {"sensor fault found in its channel where SNR >= 5 [%]", "", [](Case c)
-        { return where(isStrong(c, "sensor"), c.isRight() && c.blamesChannel()); }}
+    const char* what;
+
+    const char* goal;
+
+    interval (*summary)(const scalarList&);
+
+    added (*of)(Case);
 };
 
 
-//- Of these numbers the medians
-const score medians[] =
+const score scores[] =
 {
-    {"where: overlap F1", ">= 0.85", [](Case c)
-        { return isInside(c) && c.isStrong() ? c.overlap() : added(); }},
-    {"when: onset off by [% of the record]", "<= 5", [](Case c)
-        { return isInside(c) && c.isStrong() ? c.onset() : added(); }},
-    {"size of the effect at the probes off by [%]", "<= 15", [](Case c)
-        { return isInside(c) && c.allNamed() ? c.sizeOff() : added(); }},
-    {"misfit removed at test channels [%]", ">= 70", [](Case c)
+    {"nulls with another verdict than none [%]", "<= 5", ofPercent, [](Case c)
+        { return where(c.kind == "null", !c.right); }},
+    {"single: right name where SNR >= 5 [%]", ">= 90", ofPercent, [](Case c)
+        { return where(isStrong(c, "single"), allNamed(c)); }},
+    {"single: right name where SNR of the noise alone >= 5 [%]", ">= 90", ofPercent,
+        [](Case c)
+        { return where(c.kind == "single" && isOverNoise(c), allNamed(c)); }},
+    {"single: right name or in the set where SNR >= 5 [%]", "", ofPercent, [](Case c)
+        { return where(isStrong(c, "single"), allNamed(c) || hasTruthInSet(c)); }},
+    {"pair: both named where SNR >= 5 [%]", "", ofPercent, [](Case c)
+        { return where(isStrong(c, "pair"), allNamed(c)); }},
+    {"pair: right where something is named [%]", "", ofPercent, [](Case c)
+        { return where(isStrong(c, "pair") && isNamed(c), c.nothingWrong); }},
+    {"a name that is given is right [%]", ">= 98", ofPercent, [](Case c)
+        { return where(isNamed(c), c.right); }},
+    {"outside the library: unknown where SNR >= 5 [%]", ">= 80", ofPercent, [](Case c)
+        { return where(isStrong(c, "outside"), c.right); }},
+    {"outside the library: wrongly named [%]", "<= 10", ofPercent, [](Case c)
+        { return where(c.kind == "outside", isNamed(c)); }},
+    {"physics blamed on a sensor [%]", "", ofPercent, [](Case c)
+        { return where(isInside(c) || c.kind == "outside", c.blamesChannel()); }},
+    {"sensor fault blamed on physics [%]", "<= 5", ofPercent, [](Case c)
+        { return where(c.kind == "sensor", blamesPhysics(c)); }},
+    {"sensor fault found in its channel where SNR >= 5 [%]", "", ofPercent, [](Case c)
+        { return where(isStrong(c, "sensor"), c.right && c.blamesChannel()); }},
+    {"where: overlap F1", ">= 0.85", ofMedian, [](Case c)
+        { return isInside(c) && isStrong(c) ? c.overlap : added(); }},
+    {"when: onset off by [% of the record]", "<= 5", ofMedian, [](Case c)
+        { return isInside(c) && isStrong(c) ? c.onset : added(); }},
+    {"size of the effect at the probes off by [%]", "<= 15", ofMedian, [](Case c)
+        { return isInside(c) && allNamed(c) ? c.sizeOff : added(); }},
+    {"misfit removed at test channels [%]", ">= 70", ofMedian, [](Case c)
         { return gone(c, c.verdict["heldOut"], "test channels"); }},
-    {"the same by a Gaussian process [%]", "", [](Case c)
+    {"the same by a Gaussian process [%]", "", ofMedian, [](Case c)
         { return gone(c, c.proof["gaussianProcess"], "test channels"); }},
-    {"misfit removed in experiment C [%]", ">= 50", [](Case c)
+    {"misfit removed in experiment C [%]", ">= 50", ofMedian, [](Case c)
         { return gone(c, c.verdict["heldOut"], "experiment C"); }},
-    {"in C by a Gaussian process [%]", "", [](Case c)
-        { return gone(c, c.proof["gaussianProcess"], "experiment C"); }}
+    {"in C by a Gaussian process [%]", "", ofMedian, [](Case c)
+        { return gone(c, c.proof["gaussianProcess"], "experiment C"); }},
+    // Mean square of confidence less 1 where the verdict is right, less 0 where not
+    // (Brier 1950)
+    {"Brier score of the confidence", "", ofMean, [](Case c)
+        { return added(sqr(c.confidence - c.right)); }}
 };
-
-
-scalarList numbersOf(const score& one, const std::vector<openedCase>& cases)
-{
-    scalarList numbers;
-    for (const openedCase& c : cases)
-    {
-        if (const added number = one.of(c))
-        {
-            numbers.append(*number);
-        }
-    }
-    return numbers;
-}
-
-
-std::string row(const char* what, const interval& i, const std::string& goal)
-{
-    const std::string numbers
-    (
-        i.n
-      ? shortNumber(i.value) + ',' + shortNumber(i.low) + ',' + shortNumber(i.high)
-      : std::string(",,")
-    );
-    return
-        what + (',' + numbers) + ',' + std::to_string(i.n) + ',' + goal + ','
-      + against(i, goal) + '\n';
-}
 
 } // End anonymous namespace
 
@@ -149,29 +269,27 @@ std::string row(const char* what, const interval& i, const std::string& goal)
 std::string Foam::misfit::scoresOf(const std::vector<openedCase>& cases)
 {
     std::string text("score,value,low,high,cases,goal,says\n");
-    for (const score& s : shares)
+    for (const score& s : scores)
     {
-        const scalarList hits(numbersOf(s, cases));
-        interval i(ofShare(label(sum(hits)), hits.size()));
-        for (scalar* x : {&i.value, &i.low, &i.high})
+        scalarList numbers;
+        for (const openedCase& c : cases)
         {
-            *x *= 100;
+            if (const added number = s.of(c))
+            {
+                numbers.append(*number);
+            }
         }
-        text += row(s.what, i, s.goal);
+        const label n = numbers.size();
+        const interval i(n ? s.summary(numbers) : interval());
+        const std::string values
+        (
+            shortNumber(i.value) + ',' + shortNumber(i.low) + ',' + shortNumber(i.high)
+        );
+        text +=
+            s.what + (',' + (n ? values : ",,")) + ',' + std::to_string(n) + ','
+          + s.goal + ',' + (n ? against(i, s.goal) : "") + '\n';
     }
-    for (const score& s : medians)
-    {
-        text += row(s.what, ofMedian(numbersOf(s, cases)), s.goal);
-    }
-
-    // Mean square of confidence less 1 where the verdict is right, less 0 where not
-    // (Brier 1950)
-    scalarList squares;
-    for (const openedCase& c : cases)
-    {
-        squares.append(sqr(c.confidence() - c.isRight()));
-    }
-    return text + row("Brier score of the confidence", ofMean(squares), "");
+    return text;
 }
 
 
@@ -181,22 +299,21 @@ std::string Foam::misfit::reliabilityOf(const std::vector<openedCase>& cases)
     os << "from,to,cases,confidence,right,low,high\n";
     for (label i = 0; i < 10; ++i)
     {
-        label n = 0;
-        label right = 0;
+        scalarList right;
         scalar confidence = 0;
         for (const openedCase& c : cases)
         {
-            if (min(label(10*c.confidence()), 9) == i)
+            if (min(label(10*c.confidence), 9) == i)
             {
-                ++n;
-                right += c.isRight();
-                confidence += c.confidence();
+                right.append(c.right);
+                confidence += c.confidence;
             }
         }
-        const interval share(ofShare(right, n));
+        const label n = right.size();
         os << i*0.1 << ',' << (i + 1)*0.1 << ',' << n << ',';
         if (n)
         {
+            const interval share(ofShare(right));
             os << confidence/n << ',' << share.value << ',' << share.low << ','
                 << share.high << '\n';
         }

@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One side of the proof, and the file of its ensemble.
+
+#include "concealedSide.H"
+#include "caseChange.H"
+#include "diagnosis.H"
+#include "report.H"
+#include "textFile.H"
+
+#include "serialTool.H"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+//- Time between two values of an ensemble [s]
+const scalar step = 0.02;
+
+//- Without the entry "outside", which only the making knows
+dictionary readDictionary(const fileName& file, wordList& outside)
+{
+    checkThere(file, "start in the folder of a slice, or name it with -case");
+    IFstream is(file);
+    dictionary dict(is);
+    dict.readIfPresent("outside", outside);
+    dict.remove("outside");
+    return dict;
+}
+
+
+//- What a run gives as the file holds it
+prediction reduced(const prediction& p)
+{
+    prediction r;
+    r.failure = p.failure;
+    for (const series& s : p.channels)
+    {
+        series few;
+        const scalar end = s.x.empty() ? -1 : s.x.last();
+        for (label i = 0; i*step <= end + 1e-9; ++i)
+        {
+            few.x.append(i*step);
+            few.y.append(std::strtod(shortNumber(s(i*step)).c_str(), nullptr));
+        }
+        r.channels.append(few);
+    }
+    return r;
+}
+
+
+series readSeries(const std::string& line)
+{
+    std::istringstream is(line);
+    std::string name;
+    scalar first;
+    scalar between;
+    is >> name >> first >> between;
+    series s;
+    for (scalar y; is >> y;)
+    {
+        s.x.append(first + between*s.x.size());
+        s.y.append(y);
+    }
+    return s;
+}
+
+} // End anonymous namespace
+
+
+Foam::List<Foam::misfit::runState> Foam::misfit::concealedSide::ensembleStates
+(
+    const settings& set,
+    const label replicate
+)
+{
+    predictedSampler ask(bare_, solver_);
+    const List<plannedStage> stages(plan(ask, set));
+    List<runState> states;
+    for (const word& e : bare_.experiments())
+    {
+        for (runState s : stages[1].states)
+        {
+            if (s.replicate == 0)
+            {
+                s.experiment = e;
+                s.replicate = replicate;
+                states.append(s);
+            }
+        }
+    }
+    wordList deciding(bare_.experiments(purpose::calibration));
+    deciding.append(bare_.experiments(purpose::validation));
+    for (const word& e : deciding)
+    {
+        for (runState s : stages[0].states)
+        {
+            if (s.resolution != "base" || (s.replicate && !replicate))
+            {
+                s.experiment = e;
+                states.append(s);
+            }
+        }
+    }
+    return states;
+}
+
+
+void Foam::misfit::concealedSide::writeEnsemble(const fileName& file)
+{
+    const List<prediction> runs(solver_.predict(states_));
+    std::ostringstream os;
+    os << solver_.digest(states_) << '\n';
+    forAll(states_, i)
+    {
+        os << describe(states_[i]) << '\n';
+        if (!runs[i].ok())
+        {
+            os << "failed\n";
+            continue;
+        }
+        const prediction few(reduced(runs[i]));
+        forAll(few.channels, c)
+        {
+            const series& s = few.channels[c];
+            if (s.x.size())
+            {
+                os << bare_.channels()[c].name << ' ' << s.x.first() << ' ' << step;
+                for (const scalar y : s.y)
+                {
+                    os << ' ' << y;
+                }
+                os << '\n';
+            }
+        }
+    }
+    mkDir(file.path());
+    writeWhole(file, os.str());
+}
+
+
+Foam::List<Foam::misfit::prediction>
+Foam::misfit::concealedSide::readEnsemble(const fileName& file) const
+{
+    std::ifstream is(file);
+    const auto stop = [&file](const std::string& why)
+    {
+        FatalErrorInFunction
+            << "The ensemble " << file << ' ' << why.c_str() << ". Delete it to have it"
+            << " computed anew" << exit(FatalError);
+    };
+    const auto nextLine = [&]
+    {
+        std::string line;
+        if (!std::getline(is, line))
+        {
+            stop("ends too early");
+        }
+        return line;
+    };
+    if (nextLine() != solver_.digest(states_))
+    {
+        stop
+        (
+            "is of runs with other formulas, numbers or channels than the dictionary of"
+            " its side has now"
+        );
+    }
+    List<prediction> runs(states_.size());
+    forAll(states_, i)
+    {
+        const std::string state(describe(states_[i]));
+        if (nextLine() != state)
+        {
+            stop
+            (
+                "is of another design: run " + std::to_string(i + 1) + " should be "
+              + state
+            );
+        }
+        for (const channel& c : bare_.channels())
+        {
+            runs[i].channels.append(series());
+            if (c.experiment == states_[i].experiment && runs[i].ok())
+            {
+                const std::string line(nextLine());
+                runs[i].channels.last() = readSeries(line);
+                if (line == "failed")
+                {
+                    runs[i].failure = "failed when the ensemble was made";
+                }
+            }
+        }
+    }
+    return runs;
+}
+
+
+Foam::misfit::concealedSide::concealedSide
+(
+    const fileName& slice,
+    const fileName& ensembles,
+    const word& side,
+    const bool useSolver
+)
+:
+    dict_(readDictionary(slice/"sides"/side + "Dict", outside_)),
+    bare_(dict_, slice),
+    solver_(bare_, slice, dict_),
+    useSolver_(useSolver)
+{
+    // What the solver shall compute needs no ensemble. The library's has the states
+    // that every diagnosis begins with; the truth's are drawn, never those of one
+    const settings set(readSettings(dict_));
+    const fileName file(ensembles/side + ".txt");
+    if (useSolver && (side == "truth" || !isFile(file, false)))
+    {
+        return;
+    }
+    states_ = ensembleStates(set, replicate(side));
+    if (!isFile(file, false))
+    {
+        writeEnsemble(file);
+    }
+    const List<prediction> all(readEnsemble(file));
+    forAll(states_, i)
+    {
+        if (all[i].ok())
+        {
+            known_.insert(describe(states_[i]), all[i]);
+        }
+    }
+    emulator_.reset
+    (
+        new emulatedPredictor(set.parameters, set.candidates, states_, all)
+    );
+}
+
+
+bool Foam::misfit::concealedSide::hasReplicates() const
+{
+    const List<caseChange> changes(readChanges(dict_, "replicateChanges"));
+    return std::any_of
+    (
+        changes.begin(),
+        changes.end(),
+        [](const caseChange& c) { return !c.isFixed(); }
+    );
+}
+
+
+Foam::List<Foam::misfit::prediction>
+Foam::misfit::concealedSide::predict(const List<runState>& states)
+{
+    if (!useSolver_)
+    {
+        return emulator_->predict(states);
+    }
+    List<prediction> all(states.size());
+    List<runState> rest;
+    labelList places;
+    forAll(states, i)
+    {
+        const auto known = known_.cfind(describe(states[i]));
+        if (known.found())
+        {
+            all[i] = known.val();
+        }
+        else
+        {
+            rest.append(states[i]);
+            places.append(i);
+        }
+    }
+    const List<prediction> run(solver_.predict(rest));
+    forAll(run, i)
+    {
+        all[places[i]] = run[i];
+    }
+    return all;
+}
+
+
+Foam::scalar Foam::misfit::concealedSide::difference(const label run)
+{
+    const runState& state = states_[run];
+    const prediction now(reduced(solver_.predict(List<runState>(1, state))[0]));
+    const auto then = known_.cfind(describe(state));
+    if (!now.ok() || !then.found())
+    {
+        return GREAT;
+    }
+    scalar largest = 0;
+    forAll(now.channels, i)
+    {
+        const series& s = now.channels[i];
+        forAll(s.x, k)
+        {
+            const scalar off = mag(s.y[k] - then.val().channels[i](s.x[k]));
+            largest = max(largest, off/bare_.channels()[i].samples.uncertainty);
+        }
+    }
+    return largest;
+}
+
+
+Foam::misfit::recordings
+Foam::misfit::concealedSide::recorded(const fileName& folder) const
+{
+    IFstream is(folder/"level");
+    const scalar level = readScalar(is);
+    dictionary all(dict_);
+    dictionary& channels = all.subDict("channels");
+    for (const word& name : channels.toc())
+    {
+        dictionary& c = channels.subDict(name);
+        c.set("file", fileName(folder/name + ".csv"));
+        c.set("uncertainty", level*c.get<scalar>("uncertainty"));
+    }
+    return recordings(all, folder);
+}
+
+
+Foam::misfit::json Foam::misfit::readJson(const fileName& file)
+{
+    checkThere(file, "-make writes a key, -diagnose the verdict and proof of each case");
+    const json all(json::parse(contentOf(file), nullptr, false));
+    if (all.is_discarded())
+    {
+        FatalErrorInFunction
+            << file << " is not whole: remove it and have it written again"
+            << exit(FatalError);
+    }
+    return all;
+}
