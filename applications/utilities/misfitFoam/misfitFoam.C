@@ -8,7 +8,6 @@
 
 #include "argList.H"
 #include "IOdictionary.H"
-#include "OSspecific.H"
 #include "Time.H"
 #include "serialTool.H"
 
@@ -105,11 +104,21 @@ int main(int argc, char* argv[])
 
     startSerialTool();
     const argList args(argc, argv);
+    checkThere
+    (
+        args.path()/"system"/"controlDict",
+        "start misfitFoam in the folder of a case, or name it with -case"
+    );
     Time runTime(Time::controlDictName, args);
 
     // A dictionary that is not there, or cannot be read, takes no answer away
     const word dictName("misfitDict");
     #include "setSystemRunTimeDictionaryIO.H"
+    checkThere
+    (
+        dictIO.objectPath(),
+        "it has the recordings and what may be missing; keywords: README.md of misfitFoam"
+    );
     const IOdictionary dict(dictIO);
 
     const fileName folder(runTime.path()/"misfit");
@@ -121,12 +130,8 @@ int main(int argc, char* argv[])
         const fileName corrected(folder/correctedCase);
         if (isDir(corrected))
         {
-            const fileName before(corrected + ".before");
-            if (isDir(before))
-            {
-                rmDir(before);
-            }
-            mv(corrected, before);
+            rmDir(corrected + ".before", true);
+            mv(corrected, corrected + ".before");
         }
     }
 
