@@ -251,25 +251,25 @@ void Foam::grainsOnPoints::advance()
 
 void Foam::grainsOnPoints::refresh()
 {
-    join(position_, grains_.position(), points_.position());
-    join(velocity_, grains_.velocity(), points_.velocity());
-    join
-    (
-        angularVelocity_,
-        grains_.angularVelocity(),
-        points_.angularVelocity()
-    );
-    join(radius_, grains_.radius(), points_.radius());
-    join(mass_, grains_.mass(), points_.mass());
-    join(totalForce_, grains_.totalForce(), points_.totalForce());
-    join(fluidForce_, grains_.fluidForce(), points_.fluidForce());
-    join(fluidTorque_, grains_.fluidTorque(), points_.fluidTorque());
-
-    id_.setSize(position_.size());
-    forAll(id_, i)
+    const auto show = [this](auto& view, auto& both, const auto list)
     {
-        const label point = i - grains_.size();
-        id_[i] = point < 0 ? grains_.id()[i] : firstPoint + points_.id()[point];
+        join(both, (grains_.*list)(), (points_.*list)());
+        view.shallowCopy(both);
+    };
+
+    show(position_, positions_, &granularPhase::position);
+    show(velocity_, velocities_, &granularPhase::velocity);
+    show(angularVelocity_, angularVelocities_, &granularPhase::angularVelocity);
+    show(radius_, radii_, &granularPhase::radius);
+    show(mass_, masses_, &granularPhase::mass);
+    show(id_, ids_, &granularPhase::id);
+    show(totalForce_, totalForces_, &granularPhase::totalForce);
+    show(fluidForce_, fluidForces_, &granularPhase::fluidForce);
+    show(fluidTorque_, fluidTorques_, &granularPhase::fluidTorque);
+
+    for (label i = grains_.size(); i < ids_.size(); ++i)
+    {
+        ids_[i] += firstPoint;
     }
 }
 
@@ -297,7 +297,7 @@ Foam::autoPtr<Foam::grainSnapshot> Foam::grainsOnPoints::snapshot() const
         type += grains_.nTypes();
     }
 
-    all.id = id_;
+    all.id = ids_;
     join(all.type, grains->type, points->type);
     join(all.position, grains->position, points->position);
     join(all.U, grains->U, points->U);

@@ -315,24 +315,34 @@ void Foam::materialPointsPhase::refresh()
 {
     const pointSet& p = method_.points();
 
-    angularVelocity_.setSize(p.size());
-    radius_.setSize(p.size());
-    totalForce_.setSize(p.size());
+    halfCurl_.setSize(p.size());
+    solidRadius_.setSize(p.size());
+    meanForce_.setSize(p.size());
     noTorque_.setSize(p.size(), Zero);
 
     forAll(p.x, i)
     {
         const tensor& L = p.gradient[i];
-        angularVelocity_[i] = 0.5*vector
+        halfCurl_[i] = 0.5*vector
         (
             L.zy() - L.yz(), L.xz() - L.zx(), L.yx() - L.xy()
         );
-        radius_[i] = cbrt
+        solidRadius_[i] = cbrt
         (
             0.75/M_PI*p.mass[i]/solidDensity_[p.body[i]]
         );
-        totalForce_[i] = p.mass[i]/exchangeInterval()*(p.U[i] - p.before[i]);
+        meanForce_[i] = p.mass[i]/exchangeInterval()*(p.U[i] - p.before[i]);
     }
+
+    position_.shallowCopy(p.x);
+    velocity_.shallowCopy(p.U);
+    angularVelocity_.shallowCopy(halfCurl_);
+    radius_.shallowCopy(solidRadius_);
+    mass_.shallowCopy(p.mass);
+    id_.shallowCopy(p.id);
+    totalForce_.shallowCopy(meanForce_);
+    fluidForce_.shallowCopy(p.force);
+    fluidTorque_.shallowCopy(noTorque_);
 
     nLeft_ = returnReduce(method_.nLeft(), sumOp<label>());
 }
@@ -367,15 +377,15 @@ Foam::autoPtr<Foam::grainSnapshot> Foam::materialPointsPhase::snapshot() const
     grains.id = p.id;
     grains.position = p.x;
     grains.U = p.U;
-    grains.omega = angularVelocity_;
+    grains.omega = halfCurl_;
     grains.mass = p.mass;
     grains.force = p.force;
 
     forAll(p.x, i)
     {
         grains.type[i] = p.body[i] + 1;
-        grains.d[i] = 2*radius_[i];
-        grains.contactForce[i] = totalForce_[i] - p.force[i] - p.mass[i]*g_;
+        grains.d[i] = 2*solidRadius_[i];
+        grains.contactForce[i] = meanForce_[i] - p.force[i] - p.mass[i]*g_;
         grains.stressMoment[i] = p.volume[i]*p.stress[i];
     }
 
