@@ -4,7 +4,6 @@
 #include "liggghtsChecks.H"
 
 #include "liggghtsInstance.H"
-#include "liggghtsScript.H"
 #include "mathematicalConstants.H"
 #include "periodicity.H"
 
@@ -13,84 +12,14 @@
 #include <liggghts/atom.h>
 #include <liggghts/domain.h>
 #include <liggghts/fix.h>
-#include <liggghts/fix_mesh_surface.h>
 #include <liggghts/fix_template_sphere.h>
 #include <liggghts/lammps.h>
 #include <liggghts/modify.h>
-#include <liggghts/tri_mesh.h>
 #include <liggghts/update.h>
 
 namespace
 {
     using namespace Foam;
-
-    //- True where a point is on a wall of a script. A surface is looked at by
-    //  its bounds, and only if they are flat
-    bool isAt
-    (
-        const liggghtsScript::wall& wall,
-        LAMMPS_NS::Modify& modify,
-        const point& p,
-        const scalar tolerance
-    )
-    {
-        if (wall.normal >= 0)
-        {
-            return mag(p[wall.normal] - wall.at) < tolerance;
-        }
-
-        for (const word& name : wall.surfaces)
-        {
-            const int at = modify.find_fix(name.c_str());
-            auto* surface = at < 0 ? nullptr
-              : dynamic_cast<LAMMPS_NS::FixMeshSurface*>(modify.fix[at]);
-
-            if (surface)
-            {
-                boundBox box;
-                surface->triMesh()->getGlobalBoundingBox()
-                    .getBoxBounds(&box.min()[0], &box.max()[0]);
-
-                const bool flat = box.minDim() < tolerance;
-                box.min() -= vector::uniform(tolerance);
-                box.max() += vector::uniform(tolerance);
-
-                if (flat && box.contains(p))
-                {
-                    return true;
-                }
-            }
-        }
-
-        return false;
-    }
-
-    //- True where all corners of a face of the patch are on the wall
-    bool hasFace
-    (
-        const liggghtsScript::wall& wall,
-        LAMMPS_NS::Modify& modify,
-        const polyPatch& patch,
-        const scalar tolerance
-    )
-    {
-        for (const face& f : patch.localFaces())
-        {
-            bool on = true;
-            for (const label p : f)
-            {
-                on = on
-                 && isAt(wall, modify, patch.localPoints()[p], tolerance);
-            }
-
-            if (on)
-            {
-                return true;
-            }
-        }
-
-        return false;
-    }
 
     //- Shortest Rayleigh time of the grains that are there and of those that
     //  the script may insert [s]; GREAT for none
@@ -288,57 +217,6 @@ void Foam::liggghtsChecks::noOwnFixes
                 << " which does not hold them: gravity and water act behind it."
                 << nl << "    Take the fix out, and the grains out of the group"
                 << " that fix nve/sphere moves." << exit(FatalError);
-        }
-    }
-}
-
-
-void Foam::liggghtsChecks::noOwnWall
-(
-    liggghtsInstance& liggghts,
-    const polyPatch& patch,
-    const fileName& script
-)
-{
-    LAMMPS_NS::Modify& modify = *liggghts->modify;
-    const scalar tolerance = 1e-6*patch.boundaryMesh().mesh().bounds().mag();
-
-    for (const liggghtsScript::wall& wall : liggghtsScript::walls(script))
-    {
-        if
-        (
-            returnReduce
-            (
-                hasFace(wall, modify, patch, tolerance), orOp<bool>()
-            )
-        )
-        {
-            FatalErrorInFunction
-                << "Patch " << patch.name() << " is a wall of the grains twice:"
-                << " fix " << wall.fix << " of " << script
-                << " stands where the patch makes one." << nl
-                << "    Take the fix out, or name in LIGGGHTS/walls/patches of"
-                << " constant/granularProperties the other patches only."
-                << exit(FatalError);
-        }
-    }
-}
-
-
-void Foam::liggghtsChecks::noOtherSurfaces(const fileName& script)
-{
-    for (const liggghtsScript::wall& wall : liggghtsScript::walls(script))
-    {
-        if (wall.surfaces.size())
-        {
-            FatalErrorInFunction
-                << "LIGGGHTS takes one wall made of surfaces, but fix "
-                << wall.fix << " of " << script << " is one, and patches of"
-                << " the mesh that are not whole sides of its box make another."
-                << nl << "    Take fix " << wall.fix << " out, and name its"
-                << " surfaces in LIGGGHTS/walls/surfaces of"
-                << " constant/granularProperties: " << wall.surfaces
-                << exit(FatalError);
         }
     }
 }

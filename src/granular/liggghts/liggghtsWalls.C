@@ -281,6 +281,8 @@ void Foam::liggghtsWalls::makeRoom(liggghtsInstance& liggghts) const
 
 void Foam::liggghtsWalls::add(liggghtsInstance& liggghts)
 {
+    liggghtsChecks::surfacesAreThere(liggghts, own_, script_);
+
     std::set<wallTriangles::corners, wallTriangles::before> faces;
 
     for (const polyPatch& patch : mesh_.boundaryMesh())
@@ -308,4 +310,6 @@ void Foam::liggghtsWalls::add(liggghtsInstance& liggghts)
     {
         addWallOfSurfaces(liggghts);
     }
+
+    liggghtsChecks::noUnusedSurfaces(liggghts, script_);
 }
