@@ -258,12 +258,7 @@ void Foam::liggghtsPhase::createGrains()
 
     if (state.size())
     {
-        Info<< "    from " << state << endl;
-        liggghts_.command("read_restart " + state);
-
-        // Not part of a written state. The physics script may choose another
-        liggghts_.command("communicate single vel yes");
-        restarted_ = true;
+        readState(state);
     }
     else
     {

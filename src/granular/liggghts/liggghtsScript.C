@@ -30,6 +30,30 @@ std::string Foam::liggghtsScript::text(const fileName& script)
 }
 
 
+Foam::DynamicList<std::string> Foam::liggghtsScript::commands
+(
+    const fileName& script,
+    const std::string& command
+)
+{
+    DynamicList<std::string> result;
+    std::istringstream lines(text(script));
+
+    for (std::string line; std::getline(lines, line);)
+    {
+        std::istringstream words(line);
+        std::string first;
+
+        if (words >> first && first == command)
+        {
+            result.append(line);
+        }
+    }
+
+    return result;
+}
+
+
 Foam::string Foam::liggghtsScript::contactModel(const fileName& script)
 {
     const std::string all(text(script));

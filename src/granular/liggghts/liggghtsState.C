@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Grains computed by LIGGGHTS: what is looked at and written.
+// Grains computed by LIGGGHTS: what is looked at, written and read again.
 
 #include "liggghtsPhase.H"
 
@@ -9,6 +9,7 @@
 #include "foamCompatibility.H"
 #include "grainSnapshot.H"
 #include "fpeGuard.H"
+#include "liggghtsScript.H"
 
 #include <fstream>
 
@@ -214,6 +215,29 @@ void Foam::liggghtsPhase::endInsertions()
             fix->next_reneighbor = 0;
         }
     }
+}
+
+
+void Foam::liggghtsPhase::readState(const fileName& state)
+{
+    Info<< "    from " << state << endl;
+
+    // Not part of a written state, and to be given before it is read. The physics
+    // script may ask for a grain by its number
+    for
+    (
+        const std::string& line
+      : liggghtsScript::commands(initialScript_, "atom_modify")
+    )
+    {
+        liggghts_.command(line);
+    }
+
+    liggghts_.command("read_restart " + state);
+
+    // Nor this. The physics script may choose another
+    liggghts_.command("communicate single vel yes");
+    restarted_ = true;
 }
 
 
