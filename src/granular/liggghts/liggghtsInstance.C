@@ -55,6 +55,13 @@ namespace
                     " enlarge the region that create_box names.";
             }
 
+            if (line.find("Cannot open file") != std::string::npos)
+            {
+                hint =
+                    "There is no such file. One of grains (constant/grains/data) is"
+                    " written by\npreparePacking: run it before. " + hint;
+            }
+
             // What LIGGGHTS 3.8 adds to an error is read from freed memory
             if (line.compare(0, 5, "ERROR") == 0)
             {

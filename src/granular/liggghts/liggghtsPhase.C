@@ -92,6 +92,7 @@ Foam::liggghtsPhase::liggghtsPhase
 
     liggghts_.setup();
     refresh();
+    tellIfStill();
 
     nGrains_ = nTotal();
     nInserted_ = nInserted();
@@ -400,6 +401,17 @@ void Foam::liggghtsPhase::refresh()
         const LAMMPS_NS::Fix& fix = *liggghts_->modify->fix[i];
 
         movingGroups_ |= fix.time_integrate ? fix.groupbit : 0;
+    }
+}
+
+
+void Foam::liggghtsPhase::tellIfStill() const
+{
+    // As an obstacle should, or as where the fix was forgotten
+    if (!movingGroups_)
+    {
+        Info<< "    grains stand still: no fix of " << physicsScript_
+            << " moves them, as nve/sphere would" << endl;
     }
 }
 
