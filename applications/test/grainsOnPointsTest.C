@@ -378,6 +378,12 @@ TEST(grainsOnPoints, aWrongContactIsNamed)
     what.contact = "stiffness 1000; restitution 1;";
     EXPECT_NE(said(what).find("restitution"), std::string::npos);
 
+    what.contact = "stifness 1000;";
+    EXPECT_NE
+    (
+        said(what).find("Valid keywords: stiffness"), std::string::npos
+    );
+
     what.contact = "stiffness 1e9;";
     EXPECT_NE(said(what).find("steps of at most"), std::string::npos);
 }

@@ -3,6 +3,7 @@
 
 #include "StringStream.H"
 #include "constitutiveLaw.H"
+#include "saidDuring.H"
 #include "scalarField.H"
 #include "softeningDruckerPrager.H"
 
@@ -188,6 +189,44 @@ TEST(pointLaws, stressTurnsWithTheMaterial)
 }
 
 
+TEST(pointLaws, anAngleThatMayBeInRadiansIsNamed)
+{
+    const auto said = [](const string& angles)
+    {
+        return saidDuring
+        (
+            [&]()
+            {
+                constitutiveLaw::New
+                (
+                    settings
+                    (
+                        "law softeningDruckerPrager; density 1; E 1; nu 0;"
+                      + angles
+                    )
+                );
+            }
+        );
+    };
+
+    expectSays(said("frictionAngle 0.56;"), "frictionAngle is 0.56 degrees");
+    expectSays(said("frictionAngle 0.56;"), "write 32.08");
+    expectSays
+    (
+        said("frictionAngle 32; residualFrictionAngle 0.4;"),
+        "residualFrictionAngle is 0.4 degrees"
+    );
+    expectSaysNo
+    (
+        said("frictionAngle 1.6; residualFrictionAngle 0;"), "Warning"
+    );
+    expectSaysNo
+    (
+        said("frictionAngle 0.56;"), "residualFrictionAngle"
+    );
+}
+
+
 TEST(pointLaws, whatIsWrongIsNamed)
 {
     const char* const wrong[][2]
@@ -196,6 +235,17 @@ TEST(pointLaws, whatIsWrongIsNamed)
         {"law linearElastic; density 0; E 1; nu 0;", "density is 0"},
         {"law linearElastic; density 1; E 1; nu 0.5;", "Poisson"},
         {"law linearElastic; density 1; E 1; nu 0; cohesin 1;", "cohesin"},
+        {"law linearElastic; densty 1; E 1; nu 0;", "Valid keywords: law density"},
+        {
+            "law softeningDruckerPrager; density 1; E 1; nu 0;"
+            " frictionAngl 30;",
+            "Valid keywords: law density E nu solidDensity grainDiameter"
+            " frictionAngle"
+        },
+        {
+            "law dilatantMuI; density 1; E 1; nu 0; staticFrction 0.3;",
+            "Valid keywords: law density"
+        },
         {
             "law softeningDruckerPrager; density 1; E 1; nu 0;"
             " frictionAngle 95;",

@@ -31,6 +31,14 @@ namespace
         }
     }
 
+    //- The dictionary; its keywords are checked before any is read, since a
+    //  misspelt one would be missed first, without the list of valid ones
+    const dictionary& checked(const dictionary& dict)
+    {
+        keywords::check(dict, {"stiffness", "friction", "radius"});
+        return dict;
+    }
+
     scalar positive(const dictionary& dict, const word& key, const scalar value)
     {
         if (!(value > 0))
@@ -51,7 +59,10 @@ Foam::grainPointContact::grainPointContact
     const label nDims
 )
 :
-    stiffness_(positive(dict, "stiffness", dict.get<scalar>("stiffness"))),
+    stiffness_
+    (
+        positive(dict, "stiffness", checked(dict).get<scalar>("stiffness"))
+    ),
     friction_(dict.getOrDefault<scalar>("friction", 0)),
     radius_
     (
@@ -61,8 +72,6 @@ Foam::grainPointContact::grainPointContact
     opening_(0.5*distance*sqrt(scalar(nDims - 1)) - radius_),
     begin_(0)
 {
-    keywords::check(dict, {"stiffness", "friction", "radius"});
-
     if (!(friction_ >= 0))
     {
         FatalIOErrorInFunction(dict)

@@ -13,14 +13,20 @@ namespace Foam
 }
 
 
-Foam::wordList Foam::constitutiveLaw::keywordsWith(const wordList& own)
+const Foam::dictionary& Foam::constitutiveLaw::checked
+(
+    const dictionary& dict,
+    const wordList& own
+)
 {
     wordList all
     (
         {"law", "density", "E", "nu", "solidDensity", "grainDiameter"}
     );
     all.append(own);
-    return all;
+    keywords::check(dict, all);
+
+    return dict;
 }
 
 

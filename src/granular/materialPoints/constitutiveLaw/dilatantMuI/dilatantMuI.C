@@ -55,7 +55,17 @@ namespace
 
 Foam::dilatantMuI::dilatantMuI(const dictionary& dict)
 :
-    constitutiveLaw(dict),
+    constitutiveLaw
+    (
+        checked
+        (
+            dict,
+            {
+                "staticFriction", "limitFriction", "b", "maxSolidFraction", "a",
+                "dilation", "viscosity", "strength"
+            }
+        )
+    ),
     static_(positive(dict, "staticFriction")),
     limit_(positive(dict, "limitFriction")),
     b_(positive(dict, "b")),
@@ -73,16 +83,6 @@ Foam::dilatantMuI::dilatantMuI(const dictionary& dict)
         ) == "withDilation"
     )
 {
-    keywords::check
-    (
-        dict,
-        keywordsWith
-        ({
-            "staticFriction", "limitFriction", "b", "maxSolidFraction", "a",
-            "dilation", "viscosity", "strength"
-        })
-    );
-
     if (limit_ < static_)
     {
         FatalIOErrorInFunction(dict)

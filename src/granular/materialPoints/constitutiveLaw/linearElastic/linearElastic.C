@@ -4,7 +4,6 @@
 #include "linearElastic.H"
 
 #include "addToRunTimeSelectionTable.H"
-#include "keywords.H"
 
 namespace Foam
 {
@@ -15,10 +14,8 @@ namespace Foam
 
 Foam::linearElastic::linearElastic(const dictionary& dict)
 :
-    constitutiveLaw(dict)
-{
-    keywords::check(dict, keywordsWith({}));
-}
+    constitutiveLaw(checked(dict, wordList()))
+{}
 
 
 void Foam::linearElastic::update

@@ -6,6 +6,7 @@
 #include "Tuple2.H"
 #include "addToRunTimeSelectionTable.H"
 #include "keywords.H"
+#include "mathematicalConstants.H"
 #include "unitConversion.H"
 
 namespace Foam
@@ -37,13 +38,36 @@ Foam::scalar Foam::softeningDruckerPrager::tangent
             << " to, but not at, 90." << exit(FatalIOError);
     }
 
+    // Each angle below 90 degrees is, in radians, below pi/2, and hardly a
+    // material has so few degrees
+    const bool likeRadians =
+        angle > 0 && angle < 0.5*constant::mathematical::pi;
+
+    if (likeRadians && dict.found(keyword))
+    {
+        IOWarningInFunction(dict)
+            << keyword << " is " << angle << " degrees: nearly no friction. If it"
+            << " was meant in radians," << nl << "    write "
+            << radToDeg(angle) << endl;
+    }
+
     return tan(degToRad(angle));
 }
 
 
 Foam::softeningDruckerPrager::softeningDruckerPrager(const dictionary& dict)
 :
-    constitutiveLaw(dict),
+    constitutiveLaw
+    (
+        checked
+        (
+            dict,
+            {
+                "frictionAngle", "residualFrictionAngle", "softeningStrains",
+                "cohesion", "criticalDensity", "measure", "matching"
+            }
+        )
+    ),
     peak_(tangent(dict, "frictionAngle")),
     residual_
     (
@@ -83,16 +107,6 @@ Foam::softeningDruckerPrager::softeningDruckerPrager(const dictionary& dict)
         ) == "slope"
     )
 {
-    keywords::check
-    (
-        dict,
-        keywordsWith
-        ({
-            "frictionAngle", "residualFrictionAngle", "softeningStrains",
-            "cohesion", "criticalDensity", "measure", "matching"
-        })
-    );
-
     if (!(begin_ >= 0 && end_ >= begin_))
     {
         FatalIOErrorInFunction(dict)
