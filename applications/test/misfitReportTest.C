@@ -384,6 +384,19 @@ TEST(misfitReport, noNumberIsTooLargeToRead)
 }
 
 
+TEST(misfitReport, aShareThatRoundsToNoughtHasNoSign)
+{
+    finding f(found());
+    f.held[0].squareBefore = 10;
+    f.held[0].squareAfter = 10.02;
+    f.correction.asked = true;
+    f.correction.held = f.held;
+    const std::string page(reportHtml(f, today(), {}));
+    EXPECT_TRUE(says(page, ">0 %<"));
+    EXPECT_FALSE(says(page, "-0 %"));
+}
+
+
 TEST(misfitReport, itsWordsAreExplained)
 {
     const std::string page(reportHtml(found(), today(), {}));

@@ -47,6 +47,27 @@ data filling(const json& from)
 }
 
 
+//- The text of a template; fatal, naming its line, where the syntax has a fault
+string checkedTemplate(const word& file)
+{
+    const string text(ofProject(file));
+    const mustache parsed(text);
+    if (!parsed.is_valid())
+    {
+        // It ends with how many characters are before the fault
+        const std::string fault(parsed.error_message());
+        const size_t at = fault.rfind(" at ");
+        const size_t before = std::stoul(fault.substr(at + 4));
+        FatalErrorInFunction
+            << "Line " << 1 + std::count(text.begin(), text.begin() + before, '\n')
+            << " of " << fileName("$INTERDEMFOAM_DIR/etc/misfit/" + file).expand()
+            << ", which a report is made with: " << fault.substr(0, at)
+            << ". Mend it, or restore the file from the sources" << exit(FatalError);
+    }
+    return text;
+}
+
+
 //- Text without line breaks and indentation, which are for its reader alone
 std::string onOneLine(const std::string& text)
 {
@@ -64,14 +85,14 @@ std::string onOneLine(const std::string& text)
 
 std::string Foam::misfit::filled(const word& file, const json& from)
 {
-    mustache whole(ofProject(file));
+    mustache whole(checkedTemplate(file));
     return whole.render(filling(from));
 }
 
 
 Foam::string Foam::misfit::said(const word& part, const json& facts)
 {
-    static mustache words(onOneLine(ofProject("words")));
+    static mustache words(onOneLine(checkedTemplate("words")));
     words.set_custom_escape([](const std::string& text) { return text; });
     return words.render(object{{part, filling(facts)}});
 }

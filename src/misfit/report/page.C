@@ -28,13 +28,13 @@ string number(const scalar value)
 }
 
 
-//- In whole percent; of more than ten times only that it is
+//- In whole percent; of more than ten times only that it is. Nought has no sign
 string percent(const scalar share)
 {
     return
         share > 10 ? "more than 1000 %"
       : share < -10 ? "less than -1000 %"
-      : shortNumber(std::round(100*share)) + " %";
+      : shortNumber(std::round(100*share) + 0.0) + " %";
 }
 
 
