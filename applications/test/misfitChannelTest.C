@@ -294,7 +294,11 @@ TEST(misfitChannel, aFileWithoutNamesOrNumbersIsRefused)
 {
     expectSays(refusalOf("0,1\n1,2\n"), "no line of column names");
     expectSays(refusalOf("t_s,p_Pa\n"), "holds no numbers");
-    expectSays(refusalOf("", "file \"none.csv\";"), "There is no file");
+    const std::string none(refusalOf("", "file \"none.csv\";"));
+    expectSays(none, "channel S1");
+    expectSays(none, "there is no file");
+    expectSays(none, "none.csv");
+    expectSays(none, "Mend file");
     expectSays
     (
         refusalOf("t_s,p_Pa\n0,1\n", "file \"S1.csv\"; column q;"),

@@ -171,8 +171,17 @@ void Foam::misfit::channel::readFile
     const fileName& folder
 )
 {
-    const fileName file(expanded(dict, dict.get<fileName>("file")));
-    const numberTable table(csvTable(file.isAbsolute() ? file : folder/file));
+    const fileName given(expanded(dict, dict.get<fileName>("file")));
+    const fileName file(given.isAbsolute() ? given : folder/given);
+    if (!isFile(file, false))
+    {
+        FatalIOErrorInFunction(dict)
+            << "The channel " << name << " has no recording: there is no file " << file
+            << ". Mend file, which is sought from the folder of the case, or take it out:"
+            << " a channel without one is a measurement that could be made"
+            << exit(FatalIOError);
+    }
+    const numberTable table(csvTable(file));
 
     const label yColumn = table.find(columnIn(dict, "column", "2"));
     const label xColumn = table.find(columnIn(dict, "xColumn", "1"));
