@@ -67,3 +67,26 @@ TEST(misfitSettings, thePresentKeywordsAreRead)
     EXPECT_EQ(s.trainingEnsemble, 100);
     EXPECT_EQ(s.modelDiscrepancy, 0.3);
 }
+
+
+TEST(misfitSettings, replicatesThatDoNothingOrTellNoSpreadAreWarnedOf)
+{
+    const auto said = [](const std::string& entries)
+    {
+        return saidDuring
+        (
+            [&]() { readSettings(dictionary(IStringStream(entries)())); }
+        );
+    };
+    const std::string one(said("replicateChanges (); replicates 1;"));
+    expectSays(one, "replicates is 1");
+    expectSays(one, "20 are advised");
+    const std::string idle(said("replicates 4;"));
+    expectSays(idle, "replicates is 4");
+    expectSays(idle, "give replicateChanges");
+
+    for (const char* right : {"", "replicates 1;", "replicateChanges (); replicates 20;"})
+    {
+        expectSaysNo(said(right), "replicates is");
+    }
+}

@@ -65,6 +65,27 @@ void checkSizes(const dictionary& dict, const settings& s)
     }
 }
 
+//- Warns where the chance between runs stays unknown, or a number of them does nothing
+void warnOfReplicates(const dictionary& dict, const settings& s)
+{
+    const bool canRepeat = dict.found("replicateChanges");
+    if (canRepeat && s.replicates == 1)
+    {
+        WarningInFunction
+            << "replicates is 1: the case runs once, so nothing is known of the spread"
+            << " between replicates, and what chance changes may be taken for missing"
+            << " physics. 20 are advised; a case without chance needs no replicateChanges"
+            << endl;
+    }
+    if (!canRepeat && dict.getOrDefault<label>("replicates", 1) > 1)
+    {
+        WarningInFunction
+            << "replicates is " << dict.get<label>("replicates") << ", but nothing says"
+            << " what differs between them, so the case runs once: give"
+            << " replicateChanges, or take replicates out" << endl;
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -105,6 +126,7 @@ Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
 
     s.faults = readFaults(dict);
     checkSizes(dict, s);
+    warnOfReplicates(dict, s);
     return s;
 }
 
