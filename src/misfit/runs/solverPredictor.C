@@ -117,6 +117,7 @@ Foam::misfit::solverPredictor::wanted(const runState& state) const
             }
             addFunctions(caseFolder, measured);
             checkEnd(caseFolder, experiment);
+            checkTables(caseFolder, experiment);
         }
     };
 }

@@ -5,7 +5,9 @@
 #include "solverPredictor.H"
 #include "fileDictionary.H"
 #include "placesInMesh.H"
+#include "willBeWritten.H"
 
+#include "IFstream.H"
 #include "OSspecific.H"
 #include "Time.H"
 
@@ -64,7 +66,7 @@ scalar needed(const channel& c)
     return
         c.isRecorded() && c.overTime()
       ? c.recorded.x.last() - 0.5*c.samples.span
-      : 0;
+      : max(c.at, 0.0);
 }
 
 
@@ -202,10 +204,38 @@ void Foam::misfit::solverPredictor::checkEnd
         {
             WarningInFunction
                 << "endTime of the experiment " << experiment << " is "
-                << endTime << " s, and its channel " << c.name
-                << " was recorded until " << c.recorded.x.last()
+                << endTime << " s, and its channel " << c.name << " was recorded "
+                << (c.overTime() ? "until " : "at ")
+                << (c.overTime() ? c.recorded.x.last() : c.at)
                 << " s: run longer (system/controlDict, or changes of the"
                 << " experiment), or give the channel an interval" << endl;
+        }
+    }
+}
+
+
+void Foam::misfit::solverPredictor::checkTables
+(
+    const fileName& caseFolder,
+    const word& experiment
+) const
+{
+    if (!tablesTold_.insert(experiment))
+    {
+        return;
+    }
+    IFstream is(caseFolder/"system"/"controlDict");
+    const dictionary control(is);
+    for (const channel& c : recordings_.channels())
+    {
+        const string doubt
+        (
+            c.experiment == experiment ? doubtOfTable(c, control) : string()
+        );
+        if (doubt.size())
+        {
+            WarningInFunction
+                << "The channel " << c.name << ' ' << doubt.c_str() << endl;
         }
     }
 }

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the function objects of a case will not write, told before any run.
+
+#include "fakeCase.H"
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+namespace
+{
+
+//- What is said before any run, where a channel of the fake case has these words, and its
+//  controlDict those function objects
+std::string saidBefore
+(
+    const fakeCase& c,
+    const std::string& channel,
+    const std::string& functions
+)
+{
+    c.write
+    (
+        "system/controlDict",
+        "#include \"more\"\nendTime 2; writeControl adjustableRunTime;"
+        " writeInterval 0.2; functions\n{\n#include \"tables\"\n}\n"
+    );
+    c.write("system/tables", functions);
+    return saidDuring
+    (
+        [&]()
+        {
+            fakePredictor p(c, dictWith(c, "length;", "length; " + channel));
+            p.predict.print("planned", {withSlope(2)});
+        }
+    );
+}
+
+} // End anonymous namespace
+
+
+TEST(misfitTables, aFunctionObjectThatIsNotThereIsTold)
+{
+    const fakeCase c;
+    const std::string said(saidBefore(c, "", "outs { type x; } moved { type y; }"));
+    expectSays(said, "channel y");
+    expectSays(said, "function object out writes");
+    expectSays(said, "none of that name: outs moved");
+    EXPECT_EQ(c.count(), 0);
+
+    expectSaysNo(saidBefore(c, "", "out { type x; }"), "function object");
+
+    // The solver writes the table by itself
+    expectSaysNo(saidBefore(c, "", ""), "function object");
+}
+
+
+TEST(misfitTables, aTimeAtWhichNothingIsWrittenIsTold)
+{
+    const fakeCase c;
+    c.write("r.csv", "x_m,y_m\n0,0\n1,2\n2,4\n");
+    const std::string writes("out { type x; writeControl writeTime; }");
+    const std::string said(saidBefore(c, "at 0.25;", writes));
+    expectSays(said, "channel y is at 0.25 s");
+    expectSays(said, "writes every 0.2 s: the nearest is 0.2 s");
+    expectSaysNo(saidBefore(c, "at 0.6;", writes), "the nearest");
+    expectSaysNo(saidBefore(c, "at 0.25;", "out { type x; }"), "the nearest");
+    expectSays
+    (
+        saidBefore
+        (
+            c, "at 0.25;",
+            "out { type x; writeControl adjustableRunTime; writeInterval 0.1; }"
+        ),
+        "every 0.1 s"
+    );
+    expectSays(saidBefore(c, "at 3;", writes), "endTime of the experiment A is 2 s");
+    EXPECT_EQ(c.count(), 0);
+}
