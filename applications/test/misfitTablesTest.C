@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the function objects of a case will not write, told before any run.
+// What a case will not give for its channels, told before any run.
 
 #include "fakeCase.H"
+#include "placesInMesh.H"
+#include "testMesh.H"
 
 using namespace Foam;
 using namespace Foam::misfit;
@@ -75,4 +77,22 @@ TEST(misfitTables, aTimeAtWhichNothingIsWrittenIsTold)
     );
     expectSays(saidBefore(c, "at 3;", writes), "endTime of the experiment A is 2 s");
     EXPECT_EQ(c.count(), 0);
+}
+
+
+TEST(misfitTables, aHeightThatIsMoreThanTheMeshIsRefused)
+{
+    testMesh m;
+    const auto profile = [&m](const std::string& height)
+    {
+        IStringStream is
+        (
+            "quantity length; uncertainty 1; at 0; simulated { type profile;"
+            " function cells; height " + height + "; }"
+        );
+        const channel c("S1", dictionary(is), purpose::calibration, "", 40);
+        return refusal([&](){ checkPlaces(m.mesh(), {observer(c)}, "A"); });
+    };
+    EXPECT_EQ(profile("1"), "nothing");
+    expectSays(profile("400"), "S1 has the height 400 m, more than the mesh");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether the places of the probes lie in the mesh.
+// Whether the places of the probes, and the heights of profiles, lie in the mesh.
 
 #include "placesInMesh.H"
 
@@ -75,6 +75,20 @@ static string fault
     return os.str();
 }
 
+//- What is wrong with the height that the mesh is said to have; empty: nothing
+static string faultOfHeight(const polyMesh& mesh, const observer& o)
+{
+    const scalar height = o.of.simulated.getOrDefault<scalar>("height", 0);
+    const scalar most = 1.001*mesh.bounds().mag();
+    OStringStream os;
+    if (height > most)
+    {
+        os << "\n    " << o.of.name << " has the height " << height
+            << " m, more than the mesh, whose bounds are " << mesh.bounds();
+    }
+    return os.str();
+}
+
 } // End namespace Foam::misfit
 
 
@@ -92,6 +106,7 @@ void Foam::misfit::checkPlaces
         {
             continue;
         }
+        wrong << faultOfHeight(mesh, o).c_str();
         for (const point& p : o.places)
         {
             const string said(fault(mesh, o, p));
@@ -106,7 +121,7 @@ void Foam::misfit::checkPlaces
     if (!wrong.str().empty())
     {
         FatalErrorInFunction
-            << "Places of channels do not fit the mesh:" << wrong.str().c_str()
+            << "Channels do not fit the mesh:" << wrong.str().c_str()
             << nl << "    Mend them in system/misfitDict: metres, in the"
             << " coordinates of the mesh" << exit(FatalError);
     }

@@ -115,9 +115,9 @@ Foam::misfit::solverPredictor::wanted(const runState& state) const
             {
                 c.first().apply(caseFolder, c.second());
             }
+            checkTables(caseFolder, experiment);
             addFunctions(caseFolder, measured);
             checkEnd(caseFolder, experiment);
-            checkTables(caseFolder, experiment);
         }
     };
 }
