@@ -4,9 +4,9 @@
 #include "channel.H"
 #include "keywords.H"
 #include "units.H"
+#include "MinMax.H"
 #include "Tuple2.H"
 
-#include <algorithm>
 #include <cmath>
 
 const Foam::Enum<Foam::misfit::purpose> Foam::misfit::purposeNames
@@ -22,14 +22,6 @@ namespace
 
 using namespace Foam;
 using namespace Foam::misfit;
-
-scalar rangeOf(const scalarList& y)
-{
-    return
-        *std::max_element(y.cbegin(), y.cend())
-      - *std::min_element(y.cbegin(), y.cend());
-}
-
 
 //- Keeps what lies in the interval that counts
 void cut(channel& c, const dictionary& dict)
@@ -104,7 +96,7 @@ void estimateNoise(channel& c, const bool memoryGiven)
 {
     const scalarList& x = c.recorded.x;
     const scalarList& y = c.recorded.y;
-    const scalar range = rangeOf(y);
+    const scalar range = minMax(y).span();
 
     // Quiet: until it first leaves a band of 5 % of the range
     label quiet = 0;
@@ -146,7 +138,7 @@ void estimateNoise(channel& c, const bool memoryGiven)
 void doubtUncertainty(const channel& c)
 {
     const scalarList& y = c.recorded.y;
-    const scalar range = rangeOf(y);
+    const scalar range = minMax(y).span();
     if (y.size() > 1 && range <= c.samples.uncertainty)
     {
         WarningInFunction

@@ -72,15 +72,13 @@ static const HashTable<dimensionSet>& quantities()
 
 const Foam::misfit::unit* Foam::misfit::findUnit(const word& name)
 {
-    const auto found = units().cfind(name);
-    return found.found() ? &found.val() : nullptr;
+    return units().found(name) ? &units()[name] : nullptr;
 }
 
 
 const Foam::dimensionSet* Foam::misfit::findQuantity(const word& name)
 {
-    const auto found = quantities().cfind(name);
-    return found.found() ? &found.val() : nullptr;
+    return quantities().found(name) ? &quantities()[name] : nullptr;
 }
 
 

@@ -191,8 +191,7 @@ Foam::misfit::solverPredictor::solverPredictor
     correction_(dict),
     template_(templateCase),
     replicateChanges_(readChanges(dict, "replicateChanges")),
-    store_(templateCase, dict),
-    rehearsed_(false)
+    store_(templateCase, dict)
 {
     const dictionary experiments(keywords::sub(dict, "experiments"));
     for (const word& name : recorded.experiments())

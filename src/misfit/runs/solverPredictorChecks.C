@@ -116,13 +116,12 @@ void Foam::misfit::solverPredictor::checkPlacesIn
 {
     if
     (
-        placesChecked_.found(experiment)
-     || !isFile(caseFolder/"constant/polyMesh/faces")
+        !isFile(caseFolder/"constant/polyMesh/faces")
+     || !once_.insert("places" + experiment)
     )
     {
         return;
     }
-    placesChecked_.insert(experiment);
 
     const keptPrecision after;
     Time runTime
@@ -163,7 +162,7 @@ void Foam::misfit::solverPredictor::checkWater
     if
     (
         here > 0 && there > 0 && mag(here/there - 1) > most
-     && waterTold_.insert(state.experiment + state.resolution)
+     && once_.insert("water" + state.resolution + state.experiment)
     )
     {
         WarningInFunction
@@ -199,7 +198,7 @@ void Foam::misfit::solverPredictor::checkEnd
         if
         (
             c.experiment == experiment && endTime < needed(c)
-         && endsTold_.insert(experiment)
+         && once_.insert("end" + experiment)
         )
         {
             WarningInFunction
@@ -220,7 +219,7 @@ void Foam::misfit::solverPredictor::checkTables
     const word& experiment
 ) const
 {
-    if (!tablesTold_.insert(experiment))
+    if (!once_.insert("tables" + experiment))
     {
         return;
     }
@@ -311,11 +310,10 @@ Foam::misfit::solverPredictor::statesWithAllChanges
 
 void Foam::misfit::solverPredictor::rehearse()
 {
-    if (rehearsed_)
+    if (!once_.insert("rehearsal"))
     {
         return;
     }
-    rehearsed_ = true;
 
     List<wantedRun> runs;
     for (const word& experiment : recordings_.experiments())
