@@ -22,6 +22,36 @@ TEST(misfitObservers, aRunThatEndsTooEarlyIsNoPrediction)
 }
 
 
+TEST(misfitObservers, commasMayStandBetweenTheNumbersOfATable)
+{
+    const fakeCase c;
+    c.write("r.csv", "t_s,y_m\n0,0\n1,2\n2,4\n");
+    c.write
+    (
+        "system/solver",
+        "mkdir -p postProcessing/out/0\n"
+        "printf '# Time y\\n0, 0\\n1, 2\\n2, 4\\n' > postProcessing/out/0/out.dat\n"
+    );
+    const prediction p(once(c, {withSlope(2)})[0]);
+    EXPECT_EQ(p.failure, "");
+    EXPECT_EQ(p.channels[0].y.last(), 4);
+}
+
+
+TEST(misfitObservers, aRowThatIsShorterThanItsHeadingIsToldByItsLine)
+{
+    const fakeCase c;
+    c.write("r.csv", "t_s,y_m\n0,0\n1,2\n2,4\n");
+    c.write
+    (
+        "system/solver",
+        "mkdir -p postProcessing/out/0\n"
+        "printf '# Time y\\n0\\n1 2\\n2 4\\n' > postProcessing/out/0/out.dat\n"
+    );
+    expectSays(refusal([&c]() { once(c, {withSlope(2)}); }), "Line 2 of the table");
+}
+
+
 TEST(misfitObservers, aRunThatBeginsTooLateIsNoPrediction)
 {
     // From its first step on, or from amid its first cell, is early enough

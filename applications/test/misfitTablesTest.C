@@ -94,5 +94,5 @@ TEST(misfitTables, aHeightThatIsMoreThanTheMeshIsRefused)
         return refusal([&](){ checkPlaces(m.mesh(), {observer(c)}, "A"); });
     };
     EXPECT_EQ(profile("1"), "nothing");
-    expectSays(profile("400"), "S1 has the height 400 m, more than the mesh");
+    expectSays(profile("400"), "S1 has the height 400 m, more than the diagonal of the mesh");
 }

@@ -130,7 +130,10 @@ int main(int argc, char* argv[])
         const fileName corrected(folder/correctedCase);
         if (isDir(corrected))
         {
-            rmDir(corrected + ".before", true);
+            if (isDir(corrected + ".before"))
+            {
+                rmDir(corrected + ".before");
+            }
             mv(corrected, corrected + ".before");
         }
     }

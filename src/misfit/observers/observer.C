@@ -219,6 +219,7 @@ void observeProfile(observer& o)
         (
             writtenTable(nearestTimeFolder(caseFolder, function, c.at)/"cells.dat")
         );
+        // The columns of a sideView: x y z size alpha speed
         const scalarList x(cells.column(0));
         const scalarList size(cells.column(3));
         const scalarList alpha(cells.column(4));

@@ -75,7 +75,8 @@ static string fault
     return os.str();
 }
 
-//- What is wrong with the height that the mesh is said to have; empty: nothing
+//- What is wrong with the height that the mesh is said to have; empty: nothing. Which
+//  way is up it does not know: only more than the diagonal is surely wrong
 static string faultOfHeight(const polyMesh& mesh, const observer& o)
 {
     const scalar height = o.of.simulated.getOrDefault<scalar>("height", 0);
@@ -84,7 +85,7 @@ static string faultOfHeight(const polyMesh& mesh, const observer& o)
     if (height > most)
     {
         os << "\n    " << o.of.name << " has the height " << height
-            << " m, more than the mesh, whose bounds are " << mesh.bounds();
+            << " m, more than the diagonal of the mesh, whose bounds are " << mesh.bounds();
     }
     return os.str();
 }

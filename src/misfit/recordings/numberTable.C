@@ -114,8 +114,10 @@ void addWritten(numberTable& t, const fileName& file)
     {
         if (line[0] != '#')
         {
-            std::replace(line.begin(), line.end(), '(', ' ');
-            std::replace(line.begin(), line.end(), ')', ' ');
+            for (const char between : {'(', ')', ','})
+            {
+                std::replace(line.begin(), line.end(), between, ' ');
+            }
             addRow(t, wordsOf(line), n);
             return;
         }
@@ -177,12 +179,14 @@ Foam::label Foam::misfit::numberTable::find(const string& name) const
         i = names[j].substr(0, end) == name ? j : -1;
     }
 
-    if (i < 0 || i >= rows.first().size())
+    // What is named, and not in the first row, column() tells with the row's line
+    if (i < 0 || i >= max(names.size(), rows.first().size()))
     {
         FatalErrorInFunction
             << "The table " << file << " has no column " << name
             << (isNumber ? ", counted from 1" : "")
-            << ". Its columns:" << quoted(names).c_str() << exit(FatalError);
+            << ". Its columns:" << quoted(names).c_str()
+            << ". Take one of these, or its number" << exit(FatalError);
     }
     return i;
 }

@@ -43,7 +43,7 @@ scalar aboveZero(const dictionary& dict, const word& key)
     if (given <= 0)
     {
         FatalIOErrorInFunction(dict)
-            << key << ' ' << given << " of the correction must be above zero"
+            << key << ' ' << given << " of the correction must be above zero" << (key == "size" ? ": it is what is likely" : "")
             << exit(FatalIOError);
     }
     return given;

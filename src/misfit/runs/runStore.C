@@ -119,7 +119,10 @@ void Foam::misfit::runStore::prepare
         end.said.size() && !end.isFromOutside()
       ? end.said : contentOf(target/failedBefore)
     );
-    rmDir(target, true);
+    if (isDir(target))
+    {
+        rmDir(target);
+    }
     template_.copy(target/"case");
     run.change(target/"case");
     if (failed.size())

@@ -11,6 +11,7 @@
 #include "OSspecific.H"
 #include "Time.H"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -203,11 +204,13 @@ void Foam::misfit::solverPredictor::checkEnd
         {
             WarningInFunction
                 << "endTime of the experiment " << experiment << " is "
-                << endTime << " s, and its channel " << c.name << " was recorded "
-                << (c.overTime() ? "until " : "at ")
+                << endTime << " s, and its channel " << c.name
+                << (c.overTime() ? " was recorded until " : " is wanted at ")
                 << (c.overTime() ? c.recorded.x.last() : c.at)
                 << " s: run longer (system/controlDict, or changes of the"
-                << " experiment), or give the channel an interval" << endl;
+                << " experiment), or "
+                << (c.overTime() ? "give the channel an interval" : "mend its at")
+                << endl;
         }
     }
 }
@@ -250,9 +253,13 @@ Foam::string Foam::misfit::solverPredictor::fault
     {
         return "it wrote nothing for the channel " + c.name;
     }
-    for (const scalar value : s.y)
+    const auto isNumber = [](const scalar value)
     {
-        if (!std::isfinite(value) || mag(value) > 1e100)
+        return std::isfinite(value) && mag(value) <= 1e100;
+    };
+    for (const scalarList* numbers : {&s.x, &s.y})
+    {
+        if (!std::all_of(numbers->begin(), numbers->end(), isNumber))
         {
             return "it gave no finite numbers for the channel " + c.name;
         }

@@ -201,7 +201,10 @@ void Foam::misfit::templateCase::copy
     const bool byLinks
 ) const
 {
-    rmDir(target, true);
+    if (isDir(target))
+    {
+        rmDir(target);
+    }
     for (const fileName& f : files())
     {
         const fileName to(target/inCase(f.substr(folder.size() + 1)));
