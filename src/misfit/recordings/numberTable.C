@@ -310,7 +310,7 @@ Foam::fileName Foam::misfit::nearestTimeFolder
     const fileName folder(caseFolder/"postProcessing"/functionObject);
     const instantList times(timesIn(folder));
     const instant& nearest = times[TimePaths::findClosestTimeIndex(times, t)];
-    if (mag(nearest.value() - t) > 0.01*mag(t) + 1e-6)
+    if (mag(nearest.value() - t) > nearEnough(t))
     {
         FatalErrorInFunction
             << functionObject << " of " << caseFolder << " wrote nothing at "

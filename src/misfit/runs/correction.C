@@ -37,14 +37,24 @@ scalarList nodes(const dictionary& dict, const word& key)
 }
 
 
-scalar aboveZero(const dictionary& dict, const word& key)
+//- What the size of an element is
+const char* const likely = ": it is what is likely";
+
+
+//- A number that must be above zero; meaning: what to give, for the error
+scalar aboveZero
+(
+    const dictionary& dict,
+    const word& key,
+    const char* meaning = ""
+)
 {
     const scalar given = dict.get<scalar>(key);
     if (given <= 0)
     {
         FatalIOErrorInFunction(dict)
-            << key << ' ' << given << " of the correction must be above zero" << (key == "size" ? ": it is what is likely" : "")
-            << exit(FatalIOError);
+            << key << ' ' << given << " of the correction must be above zero"
+            << meaning << exit(FatalIOError);
     }
     return given;
 }
@@ -144,7 +154,7 @@ void Foam::misfit::correction::readPush(const dictionary& dict)
     }
     correctionElement e;
     e.family = "push";
-    e.size = aboveZero(dict, "size");
+    e.size = aboveZero(dict, "size", likely);
     e.direction = keywords::unitVector(dict, "direction", e.direction);
     forAll(stations, i)
     {
@@ -175,7 +185,7 @@ void Foam::misfit::correction::readDrag(const dictionary& dict)
     }
     correctionElement e;
     e.family = "drag";
-    e.size = aboveZero(dict, "size");
+    e.size = aboveZero(dict, "size", likely);
     forAll(voidFractions_, i)
     {
         forAll(Reynolds_, j)

@@ -4,6 +4,7 @@
 #include "willBeWritten.H"
 
 #include "keywords.H"
+#include "numberTable.H"
 #include "StringStream.H"
 
 #include <cmath>
@@ -87,8 +88,7 @@ Foam::string Foam::misfit::doubtOfTable(const channel& c, const dictionary& cont
     const scalar start = control.getOrDefault<scalar>("startTime", 0);
     const scalar nearest = start + r.every*std::round((c.at - start)/r.every);
 
-    // As near as a table of that time must be
-    if (mag(nearest - c.at) > 0.01*c.at + 1e-6 + r.late)
+    if (mag(nearest - c.at) > nearEnough(c.at) + r.late)
     {
         os  << "is at " << c.at << " s, and the function object " << name
             << " writes every " << r.every << " s: the nearest is " << nearest
