@@ -5,6 +5,7 @@
 
 #include "IStringStream.H"
 #include "mathematicalConstants.H"
+#include "saidDuring.H"
 #include "unitConversion.H"
 
 #include <gtest/gtest.h>
@@ -128,6 +129,37 @@ TEST(shearingLaws, staticAndDynamicErosionAreTheirEquations)
     );
     EXPECT_LT(laws.dynamicRate(100, 500, 2), 0);
     EXPECT_THROW(shearingLaws(bed(), 45, 9.81), Foam::IOerror);
+}
+
+
+TEST(shearingLaws, anAngleThatIsNoneOrMayBeInRadiansIsNamed)
+{
+    const auto laws = [](const std::string& angles)
+    {
+        shearingLaws(entries("bulkDensity 2080;" + angles), 0.26, 9.81);
+    };
+    const auto said = [&](const std::string& angles)
+    {
+        return saidDuring([&]() { laws(angles); });
+    };
+
+    expectSays(said("frictionAngle 0.75;"), "frictionAngle is 0.75 degrees");
+    expectSays(said("frictionAngle 0.75;"), "write 42.97");
+    expectSays
+    (
+        said("frictionAngle 43; residualFrictionAngle 0.4;"),
+        "residualFrictionAngle is 0.4 degrees"
+    );
+    EXPECT_EQ(said("frictionAngle 43; residualFrictionAngle 0;"), "");
+
+    for (const char* angle : {"430", "90", "-5"})
+    {
+        const std::string wrong("frictionAngle " + std::string(angle));
+        expectSays
+        (
+            refusal([&]() { laws(wrong + ";"); }), "must lie from 0 up"
+        );
+    }
 }
 
 

@@ -3,6 +3,7 @@
 
 #include "shearingLaws.H"
 
+#include "keywords.H"
 #include "unitConversion.H"
 
 Foam::shearingLaws::shearingLaws
@@ -13,15 +14,12 @@ Foam::shearingLaws::shearingLaws
 )
 :
     slope_(degToRad(slope)),
-    friction_(degToRad(dict.get<scalar>("frictionAngle"))),
+    friction_(keywords::frictionAngle(dict, "frictionAngle")),
     residual_
     (
-        degToRad
+        keywords::frictionAngle
         (
-            dict.lookupOrDefault<scalar>
-            (
-                "residualFrictionAngle", radToDeg(friction_)
-            )
+            dict, "residualFrictionAngle", dict.get<scalar>("frictionAngle")
         )
     ),
     rho_(dict.get<scalar>("bulkDensity")),

@@ -4,6 +4,8 @@
 #include "keywords.H"
 
 #include "error.H"
+#include "mathematicalConstants.H"
+#include "unitConversion.H"
 
 namespace
 {
@@ -208,6 +210,42 @@ Foam::vector Foam::keywords::unitVector
     }
 
     return v/mag(v);
+}
+
+
+Foam::scalar Foam::keywords::frictionAngle
+(
+    const dictionary& dict,
+    const word& keyword,
+    const scalar byDefault
+)
+{
+    const scalar angle =
+        byDefault < 0
+      ? dict.get<scalar>(keyword)
+      : dict.getOrDefault<scalar>(keyword, byDefault);
+
+    if (!(angle >= 0 && angle < 90))
+    {
+        FatalIOErrorInFunction(dict)
+            << keyword << " is " << angle << " degrees; it must lie from 0 up"
+            << " to, but not at, 90." << exit(FatalIOError);
+    }
+
+    // Each angle below 90 degrees is, in radians, below pi/2, and hardly a
+    // material has so few degrees
+    const bool likeRadians =
+        angle > 0 && angle < constant::mathematical::piByTwo;
+
+    if (likeRadians && dict.found(keyword))
+    {
+        IOWarningInFunction(dict)
+            << keyword << " is " << angle << " degrees: nearly no friction. If it"
+            << " was meant in radians," << nl << "    write "
+            << radToDeg(angle) << endl;
+    }
+
+    return degToRad(angle);
 }
 
 

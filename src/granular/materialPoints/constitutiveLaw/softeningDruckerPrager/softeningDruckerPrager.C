@@ -6,8 +6,6 @@
 #include "Tuple2.H"
 #include "addToRunTimeSelectionTable.H"
 #include "keywords.H"
-#include "mathematicalConstants.H"
-#include "unitConversion.H"
 
 namespace Foam
 {
@@ -16,42 +14,6 @@ namespace Foam
     (
         constitutiveLaw, softeningDruckerPrager, dictionary
     );
-}
-
-
-Foam::scalar Foam::softeningDruckerPrager::tangent
-(
-    const dictionary& dict,
-    const word& keyword,
-    const scalar byDefault
-)
-{
-    const scalar angle =
-        byDefault < 0
-      ? dict.get<scalar>(keyword)
-      : dict.getOrDefault<scalar>(keyword, byDefault);
-
-    if (!(angle >= 0 && angle < 90))
-    {
-        FatalIOErrorInFunction(dict)
-            << keyword << " is " << angle << " degrees; it must lie from 0 up"
-            << " to, but not at, 90." << exit(FatalIOError);
-    }
-
-    // Each angle below 90 degrees is, in radians, below pi/2, and hardly a
-    // material has so few degrees
-    const bool likeRadians =
-        angle > 0 && angle < 0.5*constant::mathematical::pi;
-
-    if (likeRadians && dict.found(keyword))
-    {
-        IOWarningInFunction(dict)
-            << keyword << " is " << angle << " degrees: nearly no friction. If it"
-            << " was meant in radians," << nl << "    write "
-            << radToDeg(angle) << endl;
-    }
-
-    return tan(degToRad(angle));
 }
 
 
@@ -68,12 +30,15 @@ Foam::softeningDruckerPrager::softeningDruckerPrager(const dictionary& dict)
             }
         )
     ),
-    peak_(tangent(dict, "frictionAngle")),
+    peak_(tan(keywords::frictionAngle(dict, "frictionAngle"))),
     residual_
     (
-        tangent
+        tan
         (
-            dict, "residualFrictionAngle", dict.get<scalar>("frictionAngle")
+            keywords::frictionAngle
+            (
+                dict, "residualFrictionAngle", dict.get<scalar>("frictionAngle")
+            )
         )
     ),
     begin_
