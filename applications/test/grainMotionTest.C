@@ -6,6 +6,7 @@
 #include "grainStress.H"
 #include "grainTrack.H"
 #include "movingLayer.H"
+#include "saidDuring.H"
 #include "sphereParts.H"
 #include "tank.H"
 
@@ -142,6 +143,39 @@ TEST_F(tank, aGrainThatIsGoneIsMissingFromItsTrack)
         functionObjects::grainTrack("none", box_.time(), dict("")),
         Foam::IOerror
     );
+}
+
+
+TEST_F(tank, anIdThatNoGrainHasIsToldOnceThereAreGrains)
+{
+    functionObjects::grainTrack track
+    (
+        "track", box_.time(), dict("ids (7 1000 100);")
+    );
+    const auto said = [&]()
+    {
+        ++box_.time();
+        return saidDuring([&]() { track.write(); });
+    };
+
+    grains_.grains = grainSnapshot(0);
+    EXPECT_EQ(said(), "");
+
+    placeGrains();
+    const std::string warning(said());
+    expectSays(warning, "of the 100 grains, with ids 0 to 99");
+    expectSays(warning, "none has one of 1000 100\n");
+    EXPECT_EQ(said(), "");
+
+    // Whoever has found them has seen them
+    functionObjects::grainTrack nearest
+    (
+        "nearest", box_.time(), dict("points ((0.26 0.34 0.02));")
+    );
+    nearest.write();
+    grains_.grains.id[32] = 1000;
+    ++box_.time();
+    EXPECT_EQ(saidDuring([&]() { nearest.write(); }), "");
 }
 
 

@@ -158,6 +158,31 @@ bool Foam::functionObjects::grainTrack::sample()
 }
 
 
+void Foam::functionObjects::grainTrack::tell(const string& unknown)
+{
+    // Grains that points have found were there
+    if (looked_ || points_.size())
+    {
+        return;
+    }
+
+    const labelList& ids = grains().id;
+    const label n = returnReduce(ids.size(), sumOp<label>());
+    looked_ = n;
+
+    if (n && unknown.size())
+    {
+        const label first = gMin(ids);
+        const label last = gMax(ids);
+        WarningInFunction
+            << type() << " " << name() << ": of the " << n << " grains, with ids "
+            << first << " to " << last << ", none has one of"
+            << unknown.c_str() << nl
+            << "    Until one has, its columns are -1 and zeros." << endl;
+    }
+}
+
+
 void Foam::functionObjects::grainTrack::report()
 {
     const grainSnapshot& all = grains();
@@ -190,10 +215,16 @@ void Foam::functionObjects::grainTrack::report()
     }
 
     reduce(line, sumOp<scalarField>());
+    string unknown;
     forAll(ids_, k)
     {
         line[n*k] -= 1;
+        if (line[n*k] < 0)
+        {
+            unknown += " " + Foam::name(ids_[k]);
+        }
     }
+    tell(unknown);
 
     if (writes())
     {
