@@ -70,12 +70,7 @@ Foam::Tuple2<Foam::scalar, Foam::scalar> Foam::flumeSettings::range
         )
     )
     {
-        FatalIOErrorInFunction(dict)
-            << keyword << " in " << dict.name() << " is " << result
-            << " m, beside the mesh." << nl
-            << "    That goes from " << box.min().x() << " to "
-            << box.max().x() << " m along the flume (origin, downslope)."
-            << exit(FatalIOError);
+        stopBeside(dict, keyword, result, box);
     }
 
     return result;

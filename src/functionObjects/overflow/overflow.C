@@ -127,11 +127,7 @@ bool Foam::functionObjects::overflow::read(const dictionary& dict)
     wide.inflate(1e-6);
     if (crest_.x() < wide.min().x() || crest_.x() > wide.max().x())
     {
-        FatalIOErrorInFunction(dict)
-            << "crest " << crest_ << " m lies beside the mesh, which goes from "
-            << box().min().x() << " to " << box().max().x()
-            << " m along the flume (origin, downslope)."
-            << exit(FatalIOError);
+        flumeSettings::stopBeside(dict, "crest", crest_, box());
     }
 
     if (layer_ <= 0 || width_ <= 0 || landing_ >= crest_.z())
