@@ -263,6 +263,19 @@ TEST(misfitObservers, aCaseThatEndsBeforeItsRecordingIsToldOfBeforeTheFirst)
 
     // A command may have set another end
     EXPECT_EQ(c.count(), 2);
+
+    // As the solver reads it
+    const fakeCase other;
+    other.write
+    (
+        "system/controlDict", "#include \"more\"\nendTime $deltaT;\n"
+    );
+    fakePredictor expanded(other);
+    expectSays
+    (
+        saidDuring([&]() { expanded.predict.predict({withSlope(2)}); }),
+        "experiment A is 1 s"
+    );
 }
 
 

@@ -6,6 +6,7 @@
 #include "fileDictionary.H"
 #include "keywords.H"
 
+#include "IFstream.H"
 #include "OSspecific.H"
 #include "SHA1.H"
 
@@ -115,9 +116,11 @@ Foam::misfit::solverPredictor::wanted(const runState& state) const
             {
                 c.first().apply(caseFolder, c.second());
             }
-            checkTables(caseFolder, experiment);
+            IFstream is(caseFolder/"system"/"controlDict");
+            const dictionary control(is);
+            checkTables(control, experiment);
+            checkEnd(control, experiment);
             addFunctions(caseFolder, measured);
-            checkEnd(caseFolder, experiment);
         }
     };
 }

@@ -3,11 +3,9 @@
 // first.
 
 #include "solverPredictor.H"
-#include "fileDictionary.H"
 #include "placesInMesh.H"
 #include "willBeWritten.H"
 
-#include "IFstream.H"
 #include "OSspecific.H"
 #include "Time.H"
 
@@ -180,20 +178,11 @@ void Foam::misfit::solverPredictor::checkWater
 
 void Foam::misfit::solverPredictor::checkEnd
 (
-    const fileName& caseFolder,
+    const dictionary& control,
     const word& experiment
 ) const
 {
-    const fileDictionary control(caseFolder/"system"/"controlDict");
-    const entry* end = control.content.findEntry("endTime");
-    const bool isNumber =
-        end && end->isStream() && end->stream().size() == 1
-     && end->stream()[0].isNumber();
-    if (!isNumber)
-    {
-        return;
-    }
-    const scalar endTime = end->stream()[0].number();
+    const scalar endTime = control.getOrDefault<scalar>("endTime", GREAT);
     for (const channel& c : recordings_.channels())
     {
         if
@@ -218,7 +207,7 @@ void Foam::misfit::solverPredictor::checkEnd
 
 void Foam::misfit::solverPredictor::checkTables
 (
-    const fileName& caseFolder,
+    const dictionary& control,
     const word& experiment
 ) const
 {
@@ -226,8 +215,6 @@ void Foam::misfit::solverPredictor::checkTables
     {
         return;
     }
-    IFstream is(caseFolder/"system"/"controlDict");
-    const dictionary control(is);
     for (const channel& c : recordings_.channels())
     {
         const string doubt
