@@ -47,10 +47,10 @@ data filling(const json& from)
 }
 
 
-//- The text of a template; fatal, naming its line, where the syntax has a fault
-string checkedTemplate(const word& file)
+//- The template of that file, which has the text; fatal, naming the line, where its
+//  syntax has a fault
+mustache checkedTemplate(const word& file, const string& text)
 {
-    const string text(ofProject(file));
     const mustache parsed(text);
     if (!parsed.is_valid())
     {
@@ -64,7 +64,7 @@ string checkedTemplate(const word& file)
             << ", which a report is made with: " << fault.substr(0, at)
             << ". Mend it, or restore the file from the sources" << exit(FatalError);
     }
-    return text;
+    return parsed;
 }
 
 
@@ -85,14 +85,20 @@ std::string onOneLine(const std::string& text)
 
 std::string Foam::misfit::filled(const word& file, const json& from)
 {
-    mustache whole(checkedTemplate(file));
-    return whole.render(filling(from));
+    return checkedTemplate(file, ofProject(file)).render(filling(from));
 }
 
 
 Foam::string Foam::misfit::said(const word& part, const json& facts)
 {
-    static mustache words(onOneLine(checkedTemplate("words")));
+    static mustache words
+    (
+        [text = ofProject("words")]()
+        {
+            checkedTemplate("words", text);
+            return onOneLine(text);
+        }()
+    );
     words.set_custom_escape([](const std::string& text) { return text; });
     return words.render(object{{part, filling(facts)}});
 }
