@@ -59,8 +59,6 @@ void observeProbe(observer& o)
     requirePlace(c);
 
     const word field(dict.get<word>("field"));
-    const scalar scale = dict.getOrDefault<scalar>("scale", 1);
-    const scalar offset = dict.getOrDefault<scalar>("offset", 0);
     const bool hasDirection = dict.found("component");
     const label component =
         !hasDirection ? 0
@@ -93,12 +91,7 @@ void observeProbe(observer& o)
                 << exit(FatalError);
         }
 
-        series s(table.column(0), table.column(1 + component));
-        for (scalar& value : s.y)
-        {
-            value = scale*value + offset;
-        }
-        return s;
+        return series(table.column(0), table.column(1 + component));
     };
 }
 
@@ -159,8 +152,6 @@ void observeTable(observer& o)
     const fileName file(dict.get<fileName>("file"));
     const string xColumn(columnIn(dict, "xColumn", "1"));
     const string yColumn(columnIn(dict, "column", "2"));
-    const scalar scale = dict.getOrDefault<scalar>("scale", 1);
-    const scalar offset = dict.getOrDefault<scalar>("offset", 0);
 
     o.read = [=, &c](const fileName& caseFolder)
     {
@@ -174,7 +165,7 @@ void observeTable(observer& o)
         const scalarList y(table.column(table.find(yColumn)));
         if (c.isNumber())
         {
-            return series({0.0}, {scale*y.last() + offset});
+            return series({0.0}, {y.last()});
         }
 
         series s;
@@ -183,7 +174,7 @@ void observeTable(observer& o)
             if (s.x.empty() || x[i] > s.x.last())
             {
                 s.x.append(x[i]);
-                s.y.append(scale*y[i] + offset);
+                s.y.append(y[i]);
             }
         }
         return s;
@@ -298,4 +289,16 @@ Foam::misfit::observer::observer(const channel& c)
     keys.append("type");
     keywords::check(c.simulated, keys);
     its.observe(*this);
+
+    const scalar scale = c.simulated.getOrDefault<scalar>("scale", 1);
+    const scalar offset = c.simulated.getOrDefault<scalar>("offset", 0);
+    read = [=, written = read](const fileName& caseFolder)
+    {
+        series s(written(caseFolder));
+        for (scalar& value : s.y)
+        {
+            value = scale*value + offset;
+        }
+        return s;
+    };
 }
