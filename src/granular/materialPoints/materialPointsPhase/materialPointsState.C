@@ -192,11 +192,12 @@ void Foam::materialPointsPhase::readState(const fileName& path)
         }
     }
 
-    if (!is || nTotal() != n)
+    const label taken = returnReduce(points.size(), sumOp<label>());
+    if (!is || taken != n)
     {
         FatalErrorInFunction
             << "The state " << path << " breaks off, or has points that are not"
-            << " in the mesh: " << nTotal() << " of " << n << " were taken." << nl
+            << " in the mesh: " << taken << " of " << n << " were taken." << nl
             << "    Go on from the time before it." << exit(FatalError);
     }
 
