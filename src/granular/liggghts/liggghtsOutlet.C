@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Grains computed by LIGGGHTS: which may leave the mesh, and which did.
+// Grains computed by LIGGGHTS: which may leave the mesh, which came and which did.
 
-#include "liggghtsPhase.H"
+#include "liggghtsOutlet.H"
 
 #include "OStringStream.H"
 #include "Time.H"
@@ -10,8 +10,33 @@
 #include <liggghts/fix.h>
 #include <liggghts/lammps.h>
 #include <liggghts/modify.h>
+#include <liggghts/update.h>
 
-Foam::List<Foam::liggghtsPhase::opening> Foam::liggghtsPhase::openings() const
+Foam::liggghtsOutlet::liggghtsOutlet
+(
+    const granularPhase& grains,
+    const fvMesh& mesh,
+    const liggghtsInstance& liggghts,
+    const wordRes& outflow
+)
+:
+    grains_(grains),
+    mesh_(mesh),
+    liggghts_(liggghts),
+    openings_(openings(outflow)),
+    images_(mesh),
+    nGrains_(0),
+    nInserted_(0),
+    nEntered_(0),
+    nLeft_(0),
+    warnedOfVanished_(false)
+{}
+
+
+Foam::List<Foam::liggghtsOutlet::opening> Foam::liggghtsOutlet::openings
+(
+    const wordRes& outflow
+) const
 {
     DynamicList<opening> result;
 
@@ -22,7 +47,7 @@ Foam::List<Foam::liggghtsPhase::opening> Foam::liggghtsPhase::openings() const
     {
         const polyPatch& patch = patches[i];
 
-        if (outflow_.match(patch.name()))
+        if (outflow.match(patch.name()))
         {
             const vectorField areas(patch.faceAreas());
             const vectorField centres(patch.faceCentres());
@@ -59,7 +84,7 @@ Foam::List<Foam::liggghtsPhase::opening> Foam::liggghtsPhase::openings() const
 }
 
 
-Foam::List<LAMMPS_NS::Fix*> Foam::liggghtsPhase::insertions() const
+Foam::List<LAMMPS_NS::Fix*> Foam::liggghtsOutlet::insertions() const
 {
     const LAMMPS_NS::Modify& modify = *liggghts_->modify;
     DynamicList<LAMMPS_NS::Fix*> result;
@@ -76,7 +101,7 @@ Foam::List<LAMMPS_NS::Fix*> Foam::liggghtsPhase::insertions() const
 }
 
 
-Foam::label Foam::liggghtsPhase::nInserted() const
+Foam::label Foam::liggghtsOutlet::nInserted() const
 {
     scalar n = 0;
 
@@ -89,7 +114,7 @@ Foam::label Foam::liggghtsPhase::nInserted() const
 }
 
 
-bool Foam::liggghtsPhase::mayLeave(const point& p, const vector& U) const
+bool Foam::liggghtsOutlet::mayLeave(const point& p, const vector& U) const
 {
     for (const opening& way : openings_)
     {
@@ -102,7 +127,7 @@ bool Foam::liggghtsPhase::mayLeave(const point& p, const vector& U) const
         }
 
         // One that is out for longer was looked at when it left
-        if (beyond > 2*exchangeInterval()*mag(speed))
+        if (beyond > 2*grains_.exchangeInterval()*mag(speed))
         {
             return true;
         }
@@ -123,7 +148,7 @@ bool Foam::liggghtsPhase::mayLeave(const point& p, const vector& U) const
 }
 
 
-bool Foam::liggghtsPhase::cameToSide
+bool Foam::liggghtsOutlet::cameToSide
 (
     const point& from,
     const vector& velocity,
@@ -133,7 +158,7 @@ bool Foam::liggghtsPhase::cameToSide
     // Through which side of LIGGGHTS's box it went, within twice the interval
     // since forces may have changed its velocity
     const LAMMPS_NS::Domain& domain = *liggghts_->domain;
-    scalar soonest = 2*exchangeInterval();
+    scalar soonest = 2*grains_.exchangeInterval();
     bool out = false;
 
     for (direction k = 0; k < 3; ++k)
@@ -172,14 +197,14 @@ bool Foam::liggghtsPhase::cameToSide
 }
 
 
-bool Foam::liggghtsPhase::wasTurnedOut
+bool Foam::liggghtsOutlet::wasTurnedOut
 (
     const point& from,
     const vector& velocity,
     point& leavesAt
 ) const
 {
-    const scalar reach = 2*exchangeInterval()*mag(velocity);
+    const scalar reach = 2*grains_.exchangeInterval()*mag(velocity);
 
     for (const opening& way : openings_)
     {
@@ -199,7 +224,7 @@ bool Foam::liggghtsPhase::wasTurnedOut
 }
 
 
-void Foam::liggghtsPhase::warnOfVanished
+void Foam::liggghtsOutlet::warnOfVanished
 (
     const label n,
     const lostGrainFinder::seen& first
@@ -217,7 +242,7 @@ void Foam::liggghtsPhase::warnOfVanished
 }
 
 
-std::string Foam::liggghtsPhase::describe(const lostGrainFinder::seen& grain)
+std::string Foam::liggghtsOutlet::describe(const lostGrainFinder::seen& grain)
 {
     if (grain.first() < 0)
     {
@@ -232,7 +257,7 @@ std::string Foam::liggghtsPhase::describe(const lostGrainFinder::seen& grain)
 }
 
 
-void Foam::liggghtsPhase::stopForWrong
+void Foam::liggghtsOutlet::stopForWrong
 (
     const label n,
     const lostGrainFinder::seen& first
@@ -250,10 +275,10 @@ void Foam::liggghtsPhase::stopForWrong
 }
 
 
-Foam::label Foam::liggghtsPhase::nVanished(const label gone)
+Foam::label Foam::liggghtsOutlet::nVanished(const label gone)
 {
     // Those that came in and went within one interval were never seen
-    const List<lostGrainFinder::seen> missing(before_.missing(id_));
+    const List<lostGrainFinder::seen> missing(before_.missing(grains_.id()));
     const label nUnseen = gone - missing.size();
     label nWrong = openings_.empty() ? nUnseen : 0;
     label nInside = nUnseen - nWrong;
@@ -296,10 +321,23 @@ Foam::label Foam::liggghtsPhase::nVanished(const label gone)
 }
 
 
-void Foam::liggghtsPhase::countGrains()
+void Foam::liggghtsOutlet::begin()
+{
+    nGrains_ = grains_.nTotal();
+    nInserted_ = nInserted();
+}
+
+
+void Foam::liggghtsOutlet::note()
+{
+    before_.note(grains_.id(), grains_.position(), grains_.velocity());
+}
+
+
+void Foam::liggghtsOutlet::count()
 {
     const label inserted = nInserted();
-    const label now = nTotal();
+    const label now = grains_.nTotal();
     const label gone = nGrains_ + inserted - nInserted_ - now;
 
     if (gone > 0)
@@ -310,4 +348,20 @@ void Foam::liggghtsPhase::countGrains()
     nEntered_ += inserted - nInserted_;
     nInserted_ = inserted;
     nGrains_ = now;
+}
+
+
+void Foam::liggghtsOutlet::endInsertions() const
+{
+    // One that had brought all its grains before a restart stays due at the first
+    // step, and LIGGGHTS refuses whatever it initialises after that
+    for (LAMMPS_NS::Fix* fix : insertions())
+    {
+        const bool isPast = fix->next_reneighbor < liggghts_->update->ntimestep;
+
+        if (fix->next_reneighbor > 0 && isPast)
+        {
+            fix->next_reneighbor = 0;
+        }
+    }
 }

@@ -10,6 +10,7 @@
 #include "grainSnapshot.H"
 #include "fpeGuard.H"
 #include "liggghtsScript.H"
+#include "periodicity.H"
 
 #include <fstream>
 
@@ -26,6 +27,8 @@
 
 namespace
 {
+    using namespace Foam;
+
     //- Name of our list of contacts in LIGGGHTS
     const char* const contactList = "interDEMFoamContacts";
 
@@ -50,94 +53,104 @@ namespace
 
         return is && count == n;
     }
-}
 
 
-void Foam::liggghtsPhase::addContacts(grainSnapshot& grains) const
-{
-    LAMMPS_NS::LAMMPS* lmp = &*liggghts_;
-    const int at = lmp->modify->find_compute(contactList);
-
-    if (at < 0)
-    {
-        return;
-    }
-
-    const fpeGuard guard;
-
-    double** rows = static_cast<double**>
+    //- Add forces in contacts with other grains to the snapshot
+    void addContacts
     (
-        lammps_extract_compute(lmp, contactList, 2, 2)
-    );
-    const label n = lmp->modify->compute[at]->size_local_rows;
-
-    Map<label> mine(2*size());
-    forAll(id_, i)
+        LAMMPS_NS::LAMMPS& lmp,
+        const periodicity& images,
+        grainSnapshot& grains
+    )
     {
-        mine.insert(id_[i], i);
-    }
+        const int at = lmp.modify->find_compute(contactList);
 
-    for (label row = 0; row < n; ++row)
-    {
-        const double* c = rows[row];
-        const vector force(c[FORCE], c[FORCE + 1], c[FORCE + 2]);
-        const vector branch
+        if (at < 0)
+        {
+            return;
+        }
+
+        const fpeGuard guard;
+
+        double** rows = static_cast<double**>
         (
-            images_.shortest
-            (
-                vector
-                (
-                    c[FIRST] - c[SECOND],
-                    c[FIRST + 1] - c[SECOND + 1],
-                    c[FIRST + 2] - c[SECOND + 2]
-                )
-            )
+            lammps_extract_compute(&lmp, contactList, 2, 2)
         );
+        const label n = lmp.modify->compute[at]->size_local_rows;
 
-        // Grains that push each other apart give pressure, negative
-        const symmTensor moment(-symm(branch*force));
-
-        const auto first = mine.cfind(label(c[FIRST_ID]));
-        const auto second = mine.cfind(label(c[SECOND_ID]));
-
-        // A contact stands once in all lists: where one grain is another
-        // rank's, all of it counts here
-        const scalar share = first.found() && second.found() ? 0.5 : 1;
-
-        if (first.found())
+        Map<label> mine(2*grains.size());
+        forAll(grains.id, i)
         {
-            grains.stressMoment[*first] += share*moment;
+            mine.insert(grains.id[i], i);
         }
-        if (second.found())
+
+        for (label row = 0; row < n; ++row)
         {
-            grains.stressMoment[*second] += share*moment;
+            const double* c = rows[row];
+            const vector force(c[FORCE], c[FORCE + 1], c[FORCE + 2]);
+            const vector branch
+            (
+                images.shortest
+                (
+                    vector
+                    (
+                        c[FIRST] - c[SECOND],
+                        c[FIRST + 1] - c[SECOND + 1],
+                        c[FIRST + 2] - c[SECOND + 2]
+                    )
+                )
+            );
+
+            // Grains that push each other apart give pressure, negative
+            const symmTensor moment(-symm(branch*force));
+
+            const auto first = mine.cfind(label(c[FIRST_ID]));
+            const auto second = mine.cfind(label(c[SECOND_ID]));
+
+            // A contact stands once in all lists: where one grain is another
+            // rank's, all of it counts here
+            const scalar share = first.found() && second.found() ? 0.5 : 1;
+
+            if (first.found())
+            {
+                grains.stressMoment[*first] += share*moment;
+            }
+            if (second.found())
+            {
+                grains.stressMoment[*second] += share*moment;
+            }
         }
     }
-}
 
 
-Foam::vectorField Foam::liggghtsPhase::surfaceForce(const word& surface) const
-{
-    LAMMPS_NS::Modify& modify = *liggghts_->modify;
-    auto* mesh = static_cast<LAMMPS_NS::FixMeshSurface*>
+    //- Force of the surface of a wall on each of n grains [N]
+    vectorField surfaceForce
     (
-        modify.fix[modify.find_fix(surface.c_str())]
-    );
-    LAMMPS_NS::FixContactPropertyAtomWall* contacts = mesh->meshforceContact();
-
-    vectorField result(size(), Zero);
-
-    forAll(result, i)
+        LAMMPS_NS::Modify& modify,
+        const word& surface,
+        const label n
+    )
     {
-        for (label k = 0; k < contacts->get_npartners(i); ++k)
-        {
-            // Force, then torque
-            const double* c = contacts->contacthistory(i, k);
-            result[i] += vector(c[0], c[1], c[2]);
-        }
-    }
+        auto* mesh = static_cast<LAMMPS_NS::FixMeshSurface*>
+        (
+            modify.fix[modify.find_fix(surface.c_str())]
+        );
+        LAMMPS_NS::FixContactPropertyAtomWall* contacts = mesh->meshforceContact();
 
-    return result;
+        vectorField result(n, Zero);
+
+        forAll(result, i)
+        {
+            for (label k = 0; k < contacts->get_npartners(i); ++k)
+            {
+                // Force, then torque
+                const double* c = contacts->contacthistory(i, k);
+                result[i] += vector(c[0], c[1], c[2]);
+            }
+        }
+
+        return result;
+    }
 }
 
 
@@ -193,28 +206,16 @@ Foam::autoPtr<Foam::grainSnapshot> Foam::liggghtsPhase::snapshot() const
 
     forAllConstIters(walls_.surfaces(), wall)
     {
-        grains.wallForce.insert(wall.key(), surfaceForce(wall.val()));
+        grains.wallForce.insert
+        (
+            wall.key(),
+            surfaceForce(*liggghts_->modify, wall.val(), size())
+        );
     }
 
-    addContacts(grains);
+    addContacts(*liggghts_, periodicity(mesh_), grains);
 
     return result;
-}
-
-
-void Foam::liggghtsPhase::endInsertions()
-{
-    // One that had brought all its grains before a restart stays due at the first
-    // step, and LIGGGHTS refuses whatever it initialises after that
-    for (LAMMPS_NS::Fix* fix : insertions())
-    {
-        const bool isPast = fix->next_reneighbor < liggghts_->update->ntimestep;
-
-        if (fix->next_reneighbor > 0 && isPast)
-        {
-            fix->next_reneighbor = 0;
-        }
-    }
 }
 
 
@@ -245,8 +246,8 @@ bool Foam::liggghtsPhase::writeState(const fileName& folder)
 {
     const fileName aside(folder/"state.incomplete");
 
-    before_.note(id_, position_, velocity_);
-    endInsertions();
+    outlet_.note();
+    outlet_.endInsertions();
     liggghts_.command("write_restart " + aside);
 
     // The last rank's grains come last in the file
@@ -265,7 +266,7 @@ bool Foam::liggghtsPhase::writeState(const fileName& folder)
     // out those that are beyond a side
     liggghts_.setup();
     refresh();
-    countGrains();
+    outlet_.count();
 
     return complete;
 }
