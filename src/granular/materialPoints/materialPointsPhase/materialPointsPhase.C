@@ -4,8 +4,8 @@
 #include "materialPointsPhase.H"
 
 #include "addToRunTimeSelectionTable.H"
-#include "grainSnapshot.H"
 #include "keywords.H"
+#include "materialPointsWalls.H"
 #include "periodicity.H"
 
 namespace Foam
@@ -15,11 +15,13 @@ namespace Foam
 }
 
 
-Foam::pointGrid Foam::materialPointsPhase::gridOf
-(
-    const fvMesh& mesh,
-    const dictionary& dict
-)
+namespace
+{
+
+using namespace Foam;
+
+//- The grid over the mesh
+pointGrid gridOf(const fvMesh& mesh, const dictionary& dict)
 {
     const scalar h = dict.get<scalar>("cellSize");
 
@@ -41,6 +43,29 @@ Foam::pointGrid Foam::materialPointsPhase::gridOf
 
     return pointGrid(mesh.bounds(), h, solved, repeats);
 }
+
+
+//- The step that intervals count, as the dictionary has it, else the stable one [s]
+scalar readTimeStep(const dictionary& dict, const scalar stable)
+{
+    // Two digits, so that times to write can be whole numbers of intervals
+    const scalar unit = std::pow(10.0, std::floor(std::log10(stable)) - 1);
+    const scalar step = dict.getOrDefault<scalar>
+    (
+        "timeStep", unit*std::floor(stable/unit)
+    );
+
+    if (!(step > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "timeStep is " << step << " s; it must be above zero."
+            << exit(FatalIOError);
+    }
+
+    return step;
+}
+
+} // End anonymous namespace
 
 
 Foam::materialPointsPhase::materialPointsPhase
@@ -88,39 +113,34 @@ Foam::materialPointsPhase::materialPointsPhase
 {
     Info<< "Grains: material points" << endl;
 
-    addWalls();
-    openSides();
+    materialPointsWalls::add(method_, mesh.boundaryMesh(), patches_, dict_);
+    materialPointsWalls::open(method_, mesh, dict_);
 
     const fileName state(stateOnDisk());
     restarted_ = state.size();
     method_.addBodies(dict_, !restarted_);
-    setWallFriction();
-    readSettling();
+    materialPointsWalls::setFriction(method_, dict_);
+    settling_.reset
+    (
+        new pointSettling
+        (
+            method_, dict_.subDict("bodies"), mesh.time().value()
+        )
+    );
 
-    for (const word& body : method_.bodies())
-    {
-        const dictionary& of = dict_.subDict("bodies").subDict(body);
-        const scalar own = of.get<scalar>("density");
-        const scalar solid = of.getOrDefault<scalar>("solidDensity", own);
-
-        if (solid < own)
-        {
-            FatalIOErrorInFunction(of)
-                << "solidDensity is " << solid << " kg/m3, less than density,"
-                << " which is " << own << " with the pores." << nl
-                << "    Give that of the solid alone, as 2650 for sand."
-                << exit(FatalIOError);
-        }
-        solidDensity_.append(solid);
-    }
+    asGrains_ = pointsAsGrains(method_.bodies(), dict_.subDict("bodies"));
 
     // Dry, a grainDiameter is of the law alone, and bodies may differ in it
     if (dict.lookupOrDefault<word>("fluid", "volumeOfFluid") != "none")
     {
-        setCoarseGraining(dict.found("coarseGraining"));
+        const scalar ratio = asGrains_.coarseGraining
+        (
+            method_, dict_, dict.found("coarseGraining")
+        );
+        coarseGraining_ = ratio > 0 ? ratio : coarseGraining_;
     }
 
-    timeStep_ = readTimeStep();
+    timeStep_ = readTimeStep(dict_, method_.restStep());
 
     if (restarted_)
     {
@@ -135,78 +155,9 @@ Foam::materialPointsPhase::materialPointsPhase
 }
 
 
-void Foam::materialPointsPhase::setCoarseGraining(const bool given)
+bool Foam::materialPointsPhase::isWall(const polyPatch& patch) const
 {
-    const label perCell = dict_.getOrDefault<label>("pointsPerCell", 2);
-    const scalar volume =
-        method_.grid().cubeVolume(method_.grid().h()/perCell);
-    scalar ratio = 0;
-
-    forAll(method_.bodies(), i)
-    {
-        const dictionary& body =
-            dict_.subDict("bodies").subDict(method_.bodies()[i]);
-        if (!body.found("grainDiameter"))
-        {
-            continue;
-        }
-
-        const scalar grain = body.get<scalar>("grainDiameter");
-        const scalar point =
-            cbrt(6/M_PI*volume*body.get<scalar>("density")/solidDensity_[i]);
-
-        if (!(grain > 0))
-        {
-            FatalIOErrorInFunction(body)
-                << "grainDiameter is " << grain << " m; it must be above zero."
-                << exit(FatalIOError);
-        }
-        if (ratio > 0 && mag(point/grain - ratio) > 1e-3*ratio)
-        {
-            FatalIOErrorInFunction(body)
-                << "A point stands for grains of " << grain << " m, "
-                << point/grain << " times as large as they are, and in another"
-                << " body " << ratio << " times: all bodies have one ratio."
-                << nl << "    Give each a grainDiameter of "
-                << point/ratio << " m."
-                << exit(FatalIOError);
-        }
-        if (given)
-        {
-            FatalIOErrorInFunction(body)
-                << "coarseGraining follows from grainDiameter: "
-                << point/grain << "." << nl
-                << "    Remove coarseGraining, or grainDiameter."
-                << exit(FatalIOError);
-        }
-        ratio = point/grain;
-    }
-
-    if (ratio > 0)
-    {
-        coarseGraining_ = ratio;
-    }
-}
-
-
-Foam::scalar Foam::materialPointsPhase::readTimeStep() const
-{
-    // Two digits, so that times to write can be whole numbers of intervals
-    const scalar stable = method_.restStep();
-    const scalar unit = std::pow(10.0, std::floor(std::log10(stable)) - 1);
-    const scalar step = dict_.getOrDefault<scalar>
-    (
-        "timeStep", unit*std::floor(stable/unit)
-    );
-
-    if (!(step > 0))
-    {
-        FatalIOErrorInFunction(dict_)
-            << "timeStep is " << step << " s; it must be above zero."
-            << exit(FatalIOError);
-    }
-
-    return step;
+    return materialPointsWalls::isWall(patch, patches_);
 }
 
 
@@ -221,56 +172,6 @@ void Foam::materialPointsPhase::setFluidForce
     forAll(points.force, i)
     {
         points.force[i] = force[i];
-    }
-}
-
-
-void Foam::materialPointsPhase::readSettling()
-{
-    for (const word& body : method_.bodies())
-    {
-        const dictionary settling
-        (
-            keywords::sub
-            (
-                dict_.subDict("bodies").subDict(body),
-                "settling",
-                {"time", "damping"}
-            )
-        );
-        const scalar rate = settling.getOrDefault<scalar>("damping", 20);
-        const scalar time = settling.getOrDefault<scalar>("time", 0);
-
-        if (!(rate > 0 && time >= 0))
-        {
-            FatalIOErrorInFunction(settling)
-                << "settling of " << body << " has damping " << rate
-                << " 1/s and time " << time << " s; damping must be above zero"
-                << " and time not below." << exit(FatalIOError);
-        }
-
-        const label i = settledAt_.size();
-        settledAt_.append(time);
-        settles_.append(mesh_.time().value() < time*(1 - 1e-9));
-        method_.setDamping(i, settles_[i] ? rate : 0);
-    }
-}
-
-
-void Foam::materialPointsPhase::endSettling()
-{
-    forAll(settledAt_, body)
-    {
-        if
-        (
-            settles_[body]
-         && mesh_.time().value() >= settledAt_[body]*(1 - 1e-9)
-        )
-        {
-            settles_[body] = false;
-            method_.setDamping(body, 0);
-            method_.forgetStrain(body);
-        }
     }
 }
 
@@ -298,7 +199,7 @@ void Foam::materialPointsPhase::move(const scalar time)
 
 void Foam::materialPointsPhase::end()
 {
-    endSettling();
+    settling_->end(mesh_.time().value());
     refresh();
 }
 
@@ -314,90 +215,17 @@ void Foam::materialPointsPhase::advance()
 void Foam::materialPointsPhase::refresh()
 {
     const pointSet& p = method_.points();
-
-    halfCurl_.setSize(p.size());
-    solidRadius_.setSize(p.size());
-    meanForce_.setSize(p.size());
-    noTorque_.setSize(p.size(), Zero);
-
-    forAll(p.x, i)
-    {
-        const tensor& L = p.gradient[i];
-        halfCurl_[i] = 0.5*vector
-        (
-            L.zy() - L.yz(), L.xz() - L.zx(), L.yx() - L.xy()
-        );
-        solidRadius_[i] = cbrt
-        (
-            0.75/M_PI*p.mass[i]/solidDensity_[p.body[i]]
-        );
-        meanForce_[i] = p.mass[i]/exchangeInterval()*(p.U[i] - p.before[i]);
-    }
+    asGrains_.refresh(p, exchangeInterval());
 
     position_.shallowCopy(p.x);
     velocity_.shallowCopy(p.U);
-    angularVelocity_.shallowCopy(halfCurl_);
-    radius_.shallowCopy(solidRadius_);
+    angularVelocity_.shallowCopy(asGrains_.halfCurl);
+    radius_.shallowCopy(asGrains_.radius);
     mass_.shallowCopy(p.mass);
     id_.shallowCopy(p.id);
-    totalForce_.shallowCopy(meanForce_);
+    totalForce_.shallowCopy(asGrains_.meanForce);
     fluidForce_.shallowCopy(p.force);
-    fluidTorque_.shallowCopy(noTorque_);
+    fluidTorque_.shallowCopy(asGrains_.noTorque);
 
     nLeft_ = returnReduce(method_.nLeft(), sumOp<label>());
-}
-
-
-Foam::dictionary Foam::materialPointsPhase::activePhysics() const
-{
-    dictionary result(granularPhase::activePhysics());
-
-    for (const char* key : {"cellSize", "pointsPerCell", "courant", "averaging"})
-    {
-        if (dict_.found(key))
-        {
-            result.add(*dict_.findEntry(key, keyType::LITERAL));
-        }
-    }
-    result.add("transfer", keywords::sub(dict_, "transfer"));
-    result.add("walls", keywords::sub(dict_, "walls"));
-    result.add("contact", keywords::sub(dict_, "contact"));
-    result.add("bodies", keywords::sub(dict_, "bodies"));
-
-    return result;
-}
-
-
-Foam::autoPtr<Foam::grainSnapshot> Foam::materialPointsPhase::snapshot() const
-{
-    auto result = autoPtr<grainSnapshot>::New(size());
-    grainSnapshot& grains = *result;
-    const pointSet& p = method_.points();
-
-    grains.id = p.id;
-    grains.position = p.x;
-    grains.U = p.U;
-    grains.omega = halfCurl_;
-    grains.mass = p.mass;
-    grains.force = p.force;
-
-    forAll(p.x, i)
-    {
-        grains.type[i] = p.body[i] + 1;
-        grains.d[i] = 2*solidRadius_[i];
-        grains.contactForce[i] = meanForce_[i] - p.force[i] - p.mass[i]*g_;
-        grains.stressMoment[i] = p.volume[i]*p.stress[i];
-    }
-
-    const wordList& walls = method_.walls().names();
-    forAll(walls, wall)
-    {
-        grains.wallForce.insert
-        (
-            walls[wall],
-            vectorField(method_.wallImpulse(wall)/exchangeInterval())
-        );
-    }
-
-    return result;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A continuum of material points in the place of grains: its state on disk.
+// A continuum of material points in the place of grains: what is looked at, written and
+// read again.
 
 #include "materialPointsPhase.H"
 
@@ -8,6 +9,8 @@
 #include "UIPstream.H"
 #include "UOPstream.H"
 #include "foamCompatibility.H"
+#include "grainSnapshot.H"
+#include "keywords.H"
 
 #include <fstream>
 
@@ -62,6 +65,31 @@ namespace
                 << " first rank, which writes it." << exit(FatalError);
         }
     }
+
+
+    //- First line of a state: what must be the same to go on from it
+    string heading(const wordList& bodies)
+    {
+        OStringStream os;
+        os  << "materialPoints " << pointSet::nBytes();
+        for (const word& body : bodies)
+        {
+            os  << ' ' << body;
+        }
+        return os.str();
+    }
+
+
+    //- A piece of the points of this rank, from number begin on, as bytes
+    List<char> packed(pointSet& points, const label begin)
+    {
+        DynamicList<char> result;
+        for (label i = begin; i < min(begin + pieceOfState, points.size()); ++i)
+        {
+            points.pack(i, result);
+        }
+        return List<char>(std::move(result));
+    }
 }
 
 
@@ -83,29 +111,6 @@ Foam::fileName Foam::materialPointsPhase::stateOnDisk() const
 }
 
 
-Foam::string Foam::materialPointsPhase::heading() const
-{
-    OStringStream os;
-    os  << "materialPoints " << pointSet::nBytes();
-    for (const word& body : method_.bodies())
-    {
-        os  << ' ' << body;
-    }
-    return os.str();
-}
-
-
-Foam::List<char> Foam::materialPointsPhase::packed(const label begin)
-{
-    DynamicList<char> result;
-    for (label i = begin; i < min(begin + pieceOfState, size()); ++i)
-    {
-        method_.points().pack(i, result);
-    }
-    return List<char>(std::move(result));
-}
-
-
 bool Foam::materialPointsPhase::writeState(const fileName& folder)
 {
     const fileName aside(folder/(stateName_ + ".incomplete"));
@@ -117,8 +122,8 @@ bool Foam::materialPointsPhase::writeState(const fileName& folder)
     if (Pstream::master())
     {
         std::ofstream os(aside, std::ios::binary);
-        os  << heading() << '\n' << method_.sinceSorted() << ' ' << sum(n)
-            << '\n';
+        os  << heading(method_.bodies()) << '\n' << method_.sinceSorted() << ' '
+            << sum(n) << '\n';
 
         forAll(n, rank)
         {
@@ -127,7 +132,7 @@ bool Foam::materialPointsPhase::writeState(const fileName& folder)
                 const List<char> piece
                 (
                     rank == Pstream::masterNo()
-                  ? packed(begin)
+                  ? packed(method_.points(), begin)
                   : received(rank, min(pieceOfState, n[rank] - begin))
                 );
                 os.write(piece.cdata(), piece.size());
@@ -140,7 +145,7 @@ bool Foam::materialPointsPhase::writeState(const fileName& folder)
     {
         for (label begin = 0; begin < size(); begin += pieceOfState)
         {
-            send(packed(begin));
+            send(packed(method_.points(), begin));
         }
     }
 
@@ -157,13 +162,13 @@ void Foam::materialPointsPhase::readState(const fileName& path)
     std::string found;
     std::getline(is, found);
 
-    if (found != heading())
+    if (found != heading(method_.bodies()))
     {
         FatalErrorInFunction
             << "The state " << path << " is one of" << nl
             << "    " << found.substr(0, 200).c_str() << nl
             << "    but the dictionary has" << nl
-            << "    " << heading().c_str() << nl
+            << "    " << heading(method_.bodies()).c_str() << nl
             << "    Go on with the bodies, and the version of this program,"
             << " that wrote it." << exit(FatalError);
     }
@@ -202,4 +207,60 @@ void Foam::materialPointsPhase::readState(const fileName& path)
     }
 
     method_.goOn(sinceSorted);
+}
+
+
+Foam::dictionary Foam::materialPointsPhase::activePhysics() const
+{
+    dictionary result(granularPhase::activePhysics());
+
+    for (const char* key : {"cellSize", "pointsPerCell", "courant", "averaging"})
+    {
+        if (dict_.found(key))
+        {
+            result.add(*dict_.findEntry(key, keyType::LITERAL));
+        }
+    }
+    result.add("transfer", keywords::sub(dict_, "transfer"));
+    result.add("walls", keywords::sub(dict_, "walls"));
+    result.add("contact", keywords::sub(dict_, "contact"));
+    result.add("bodies", keywords::sub(dict_, "bodies"));
+
+    return result;
+}
+
+
+Foam::autoPtr<Foam::grainSnapshot> Foam::materialPointsPhase::snapshot() const
+{
+    auto result = autoPtr<grainSnapshot>::New(size());
+    grainSnapshot& grains = *result;
+    const pointSet& p = method_.points();
+
+    grains.id = p.id;
+    grains.position = p.x;
+    grains.U = p.U;
+    grains.omega = asGrains_.halfCurl;
+    grains.mass = p.mass;
+    grains.force = p.force;
+
+    forAll(p.x, i)
+    {
+        grains.type[i] = p.body[i] + 1;
+        grains.d[i] = 2*asGrains_.radius[i];
+        grains.contactForce[i] =
+            asGrains_.meanForce[i] - p.force[i] - p.mass[i]*g_;
+        grains.stressMoment[i] = p.volume[i]*p.stress[i];
+    }
+
+    const wordList& walls = method_.walls().names();
+    forAll(walls, wall)
+    {
+        grains.wallForce.insert
+        (
+            walls[wall],
+            vectorField(method_.wallImpulse(wall)/exchangeInterval())
+        );
+    }
+
+    return result;
 }

@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A continuum of material points in the place of grains: walls and open sides.
+// Walls and open sides of material points, from the patches of the mesh.
 
-#include "materialPointsPhase.H"
+#include "materialPointsWalls.H"
 
 #include "foamCompatibility.H"
 #include "keywords.H"
 #include "wallPolyPatch.H"
 
-bool Foam::materialPointsPhase::isWall(const polyPatch& patch) const
+namespace
 {
-    return isA<wallPolyPatch>(patch) && patches_.match(patch.name());
-}
 
+using namespace Foam;
 
-Foam::List<Foam::pointField> Foam::materialPointsPhase::faces
-(
-    const polyPatch& patch
-)
+//- Faces of a patch on all ranks, as corners
+List<pointField> faces(const polyPatch& patch)
 {
     List<List<pointField>> ofRanks(Pstream::nProcs());
     List<pointField>& mine = ofRanks[Pstream::myProcNo()];
@@ -38,21 +35,88 @@ Foam::List<Foam::pointField> Foam::materialPointsPhase::faces
 }
 
 
-void Foam::materialPointsPhase::addWalls()
+//- True where bounds lie in a side of the mesh's box: -x +x -y +y -z +z
+bool liesIn(const boundBox& bounds, const boundBox& box, const label side)
 {
-    const dictionary walls(keywords::sub(dict_, "walls"));
-    const dictionary frictions(keywords::sub(walls, "frictions"));
-    const scalar friction = walls.getOrDefault<scalar>("friction", 0);
-    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    const direction d = side/2;
+    const scalar at = (side % 2 ? box.max() : box.min())[d];
+    const scalar little = 1e-6*box.mag();
 
-    // Those behind are cuts between ranks, other ones on each
+    return
+        mag(bounds.min()[d] - at) < little
+     && mag(bounds.max()[d] - at) < little;
+}
+
+
+//- Fatal: the side that a patch of outflow opens has faces of patches that are
+//  none
+void checkAllOpen
+(
+    const fvMesh& mesh,
+    const dictionary& dict,
+    const label side,
+    const word& opened,
+    const wordRes& outflow
+)
+{
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+
     for (label i = 0; i < patches.nNonProcessor(); ++i)
     {
         const polyPatch& patch = patches[i];
+        bool shares = false;
 
-        if (isWall(patch))
+        for (const face& f : patch)
         {
-            const label wall = method_.walls().add
+            const boundBox bounds(patch.points(), f, false);
+            shares = shares || liesIn(bounds, mesh.bounds(), side);
+        }
+
+        if (!outflow.match(patch.name()) && returnReduce(shares, orOp<bool>()))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Patch " << opened << " of outflow is not the whole side of"
+                << " the mesh's box: faces of " << patch.name() << " are in it,"
+                << " too, and points would leave there as well." << nl
+                << "    Name both in outflow, or shape the mesh so that "
+                << opened << " is alone in its side." << exit(FatalIOError);
+        }
+    }
+}
+
+} // End anonymous namespace
+
+
+bool Foam::materialPointsWalls::isWall
+(
+    const polyPatch& patch,
+    const wordRes& patches
+)
+{
+    return isA<wallPolyPatch>(patch) && patches.match(patch.name());
+}
+
+
+void Foam::materialPointsWalls::add
+(
+    materialPointMethod& method,
+    const polyBoundaryMesh& boundary,
+    const wordRes& patches,
+    const dictionary& dict
+)
+{
+    const dictionary walls(keywords::sub(dict, "walls"));
+    const dictionary frictions(keywords::sub(walls, "frictions"));
+    const scalar friction = walls.getOrDefault<scalar>("friction", 0);
+
+    // Those behind are cuts between ranks, other ones on each
+    for (label i = 0; i < boundary.nNonProcessor(); ++i)
+    {
+        const polyPatch& patch = boundary[i];
+
+        if (isWall(patch, patches))
+        {
+            const label wall = method.walls().add
             (
                 patch.name(),
                 frictions.getOrDefault<scalar>(patch.name(), friction)
@@ -60,27 +124,31 @@ void Foam::materialPointsPhase::addWalls()
 
             for (const pointField& face : faces(patch))
             {
-                method_.walls().addFace(wall, face);
+                method.walls().addFace(wall, face);
             }
         }
     }
-    keywords::checkPatterns(frictions, method_.walls().names());
+    keywords::checkPatterns(frictions, method.walls().names());
 
-    method_.walls().findNodes();
+    method.walls().findNodes();
 }
 
 
-void Foam::materialPointsPhase::setWallFriction()
+void Foam::materialPointsWalls::setFriction
+(
+    materialPointMethod& method,
+    const dictionary& dict
+)
 {
-    const wordList& walls = method_.walls().names();
-    const dictionary all(keywords::sub(dict_, "walls"));
+    const wordList& walls = method.walls().names();
+    const dictionary all(keywords::sub(dict, "walls"));
     const dictionary frictions(keywords::sub(all, "frictions"));
-    List<scalarField> friction(method_.bodies().size());
+    List<scalarField> friction(method.bodies().size());
 
     forAll(friction, body)
     {
         const dictionary& settings =
-            dict_.subDict("bodies").subDict(method_.bodies()[body]);
+            dict.subDict("bodies").subDict(method.bodies()[body]);
         const dictionary own
         (
             keywords::sub(settings, "walls", {"friction", "frictions"})
@@ -88,10 +156,10 @@ void Foam::materialPointsPhase::setWallFriction()
         const dictionary ownFrictions(keywords::sub(own, "frictions"));
         keywords::checkPatterns(ownFrictions, walls);
 
-        if (own.size() && !method_.hasContact())
+        if (own.size() && !method.hasContact())
         {
             FatalIOErrorInFunction(settings)
-                << "Body " << method_.bodies()[body] << " has walls of its own,"
+                << "Body " << method.bodies()[body] << " has walls of its own,"
                 << " but bodies without contact have one velocity at a node,"
                 << " and one friction." << nl
                 << "    Give materialPoints/contact, or the friction in"
@@ -117,76 +185,31 @@ void Foam::materialPointsPhase::setWallFriction()
             {
                 FatalIOErrorInFunction(settings)
                     << "The friction of wall " << walls[wall] << " for body "
-                    << method_.bodies()[body] << " is "
+                    << method.bodies()[body] << " is "
                     << friction[body][wall] << "; it may not be below zero."
                     << exit(FatalIOError);
             }
         }
     }
 
-    if (method_.hasContact())
+    if (method.hasContact())
     {
-        method_.walls().setFriction(friction);
+        method.walls().setFriction(friction);
     }
 }
 
 
-bool Foam::materialPointsPhase::liesIn
+void Foam::materialPointsWalls::open
 (
-    const boundBox& bounds,
-    const label side
-) const
+    materialPointMethod& method,
+    const fvMesh& mesh,
+    const dictionary& dict
+)
 {
-    const boundBox& box = mesh_.bounds();
-    const direction d = side/2;
-    const scalar at = (side % 2 ? box.max() : box.min())[d];
-    const scalar little = 1e-6*box.mag();
-
-    return
-        mag(bounds.min()[d] - at) < little
-     && mag(bounds.max()[d] - at) < little;
-}
-
-
-void Foam::materialPointsPhase::checkAllOpen
-(
-    const label side,
-    const word& opened,
-    const wordRes& outflow
-) const
-{
-    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
-
-    for (label i = 0; i < patches.nNonProcessor(); ++i)
-    {
-        const polyPatch& patch = patches[i];
-        bool shares = false;
-
-        for (const face& f : patch)
-        {
-            shares =
-                shares || liesIn(boundBox(patch.points(), f, false), side);
-        }
-
-        if (!outflow.match(patch.name()) && returnReduce(shares, orOp<bool>()))
-        {
-            FatalIOErrorInFunction(dict_)
-                << "Patch " << opened << " of outflow is not the whole side of"
-                << " the mesh's box: faces of " << patch.name() << " are in it,"
-                << " too, and points would leave there as well." << nl
-                << "    Name both in outflow, or shape the mesh so that "
-                << opened << " is alone in its side." << exit(FatalIOError);
-        }
-    }
-}
-
-
-void Foam::materialPointsPhase::openSides()
-{
-    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
     const wordRes outflow
     (
-        keywords::patterns(dict_, "outflow", patches.names())
+        keywords::patterns(dict, "outflow", patches.names())
     );
 
     for (label i = 0; i < patches.nNonProcessor(); ++i)
@@ -202,19 +225,19 @@ void Foam::materialPointsPhase::openSides()
 
         for (label side = 0; side < 6; ++side)
         {
-            if (liesIn(bounds, side))
+            if (liesIn(bounds, mesh.bounds(), side))
             {
-                checkAllOpen(side, patch.name(), outflow);
-                method_.open(side);
+                checkAllOpen(mesh, dict, side, patch.name(), outflow);
+                method.open(side);
                 found = true;
             }
         }
 
         if (!found)
         {
-            FatalIOErrorInFunction(dict_)
+            FatalIOErrorInFunction(dict)
                 << "Patch " << patch.name() << " of outflow is in no side of the"
-                << " mesh's box " << mesh_.bounds() << nl
+                << " mesh's box " << mesh.bounds() << nl
                 << "    Points leave where they cross such a side: end the mesh"
                 << " there." << exit(FatalIOError);
         }

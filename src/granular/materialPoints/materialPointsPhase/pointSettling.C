@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bodies of material points that settle before they flow.
+
+#include "pointSettling.H"
+
+#include "keywords.H"
+
+Foam::pointSettling::pointSettling
+(
+    materialPointMethod& method,
+    const dictionary& bodies,
+    const scalar now
+)
+:
+    method_(method)
+{
+    for (const word& body : method_.bodies())
+    {
+        const dictionary settling
+        (
+            keywords::sub
+            (
+                bodies.subDict(body), "settling", {"time", "damping"}
+            )
+        );
+        const scalar rate = settling.getOrDefault<scalar>("damping", 20);
+        const scalar time = settling.getOrDefault<scalar>("time", 0);
+
+        if (!(rate > 0 && time >= 0))
+        {
+            FatalIOErrorInFunction(settling)
+                << "settling of " << body << " has damping " << rate
+                << " 1/s and time " << time << " s; damping must be above zero"
+                << " and time not below." << exit(FatalIOError);
+        }
+
+        const label i = until_.size();
+        until_.append(time);
+        settles_.append(now < time*(1 - 1e-9));
+        method_.setDamping(i, settles_[i] ? rate : 0);
+    }
+}
+
+
+void Foam::pointSettling::end(const scalar now)
+{
+    forAll(until_, body)
+    {
+        if (settles_[body] && now >= until_[body]*(1 - 1e-9))
+        {
+            settles_[body] = false;
+            method_.setDamping(body, 0);
+            method_.forgetStrain(body);
+        }
+    }
+}
