@@ -313,6 +313,33 @@ TEST(materialPointsPhase, whatIsWrongIsNamed)
 }
 
 
+TEST(materialPointsPhase, stepsThatAreVeryManyAreTold)
+{
+    testMesh box(slice());
+    const auto said = [&](const string& E, const string& rest)
+    {
+        return saidDuring
+        (
+            [&]()
+            {
+                points
+                (
+                    box.mesh(),
+                    "box ((0 0 0) (0.2 1 0.2)); } " + E + " settling {",
+                    rest
+                );
+            }
+        );
+    };
+
+    // Waves of 27 m/s in cells of 20 mm
+    expectSaysNo(said("", ""), "stable");
+    expectSays(said("", "timeStep 1e-3;"), "exchange every 10 steps = 0.01 s, in 35");
+    expectSays(said("E 1e14;", ""), "steps until endTime");
+    expectSaysNo(said("E 1e8;", ""), "Warning");
+}
+
+
 TEST(materialPointsPhase, aFrictionOfWhatIsNoWallIsNamed)
 {
     // zMax is a patch through which fluid flows

@@ -3,6 +3,7 @@
 
 #include "materialPointsPhase.H"
 
+#include "Time.H"
 #include "addToRunTimeSelectionTable.H"
 #include "keywords.H"
 #include "materialPointsWalls.H"
@@ -63,6 +64,36 @@ scalar readTimeStep(const dictionary& dict, const scalar stable)
     }
 
     return step;
+}
+
+
+//- Into the log; a warning where a run takes very many
+void tellSteps(const materialPointsPhase& phase, const Time& time)
+{
+    // At rest: a flow takes more
+    const scalar stable = phase.method().restStep();
+    const scalar interval = phase.exchangeInterval();
+    const scalar n = std::ceil(interval/stable*(1 - 1e-9));
+
+    Info<< "    " << phase.nTotal() << " points in cells of "
+        << phase.method().grid().h() << " m, step " << phase.timeStep()
+        << " s, exchange every " << phase.stepsPerExchange() << " steps = "
+        << interval << " s";
+    if (n > phase.stepsPerExchange())
+    {
+        Info<< ", in " << n << " steps that are stable";
+    }
+    Info<< nl << endl;
+
+    const scalar all = n*(time.endTime().value() - time.value())/interval;
+    if (all > 1e7)
+    {
+        WarningInFunction
+            << "The points need " << all << " steps until endTime, since waves in"
+            << " the stiffest body allow no more than " << stable << " s each."
+            << nl << "    Lower its E: waves that are ten times as fast as the flow"
+            << " will do. Larger cells allow longer steps, too." << endl;
+    }
 }
 
 } // End anonymous namespace
@@ -148,10 +179,7 @@ Foam::materialPointsPhase::materialPointsPhase
     }
     refresh();
 
-    Info<< "    " << nTotal() << " points in cells of " << method_.grid().h()
-        << " m, step " << timeStep_ << " s, exchange every "
-        << stepsPerExchange << " steps = " << exchangeInterval() << " s" << nl
-        << endl;
+    tellSteps(*this, mesh.time());
 }
 
 
