@@ -3,6 +3,7 @@
 
 #include "concealedSide.H"
 #include "confidenceFit.H"
+#include "keywords.H"
 #include "textFile.H"
 
 #include "serialTool.H"
@@ -37,6 +38,10 @@ void addOptions()
         {"table", "file", "With -calibrate: write the table there"},
         {"check", "", "Compute a run of each ensemble that is used anew and tell the"
             " difference"},
+        {"write", "dir", "Write the case of the library at the mean there"},
+        {"with", "name", "With -write: this mechanism in full, or this parameter"
+            " one deviation higher"},
+        {"replicate", "n", "With -write: its number; 0 if not given"},
         {"solver", "", "Each state by the solver, not the ensemble"}
     };
     for (const auto& option : options)
@@ -64,18 +69,23 @@ label number(const argList& args, const word& option)
 void checkAction(const argList& args)
 {
     bool any = false;
-    for (const char* what : {"make", "diagnose", "score", "calibrate", "check"})
+    for
+    (
+        const char* what :
+        {"make", "diagnose", "score", "calibrate", "check", "write"}
+    )
     {
         any = any || args.found(what);
     }
     const char* missing =
         !any || (args.found("make") && number(args, "make") < 1)
       ? "Nothing to do: give -make with a number above 0, -diagnose, -score,"
-        " -calibrate or -check"
+        " -calibrate, -check or -write"
       : args.found("calibrate") && !args.found("table")
       ? "-calibrate needs -table too: the file that the table of confidences"
         " is written to"
-      : !args.found("calibrate") && !args.found("folder")
+      : !args.found("calibrate") && !args.found("write")
+     && !args.found("folder")
       ? "Give -folder with the folder of the cases"
       : nullptr;
     if (missing)
@@ -144,6 +154,39 @@ void check(const fileName& slice, const fileName& ensembles, const wordList& sid
     Info<< "check " << largest << endl;
 }
 
+
+//- Writes the case of the library at the mean, with a mechanism in full or a parameter
+//  one deviation higher
+void writeCase
+(
+    const argList& args,
+    const fileName& slice,
+    const fileName& ensembles
+)
+{
+    concealedSide library(slice, ensembles, "library", true);
+    const word with(args.lookupOrDefault("with", word()));
+    runState state;
+    for (const parameter& p : readParameters(library.dict().subDict("parameters")))
+    {
+        state.parameters.insert(p.name, p.mean + (p.name == with ? p.deviation : 0));
+    }
+    wordList names(state.parameters.sortedToc());
+    for (const candidate& c : readCandidates(library.dict().subDict("candidates")))
+    {
+        names.append(c.name);
+        state.strengths.insert(c.name, c.name == with ? 1 : 0);
+    }
+    if (with.size() && !names.found(with))
+    {
+        FatalErrorInFunction
+            << "The library has no " << with << ". It has:"
+            << keywords::listed(names).c_str() << exit(FatalError);
+    }
+    state.replicate = args.found("replicate") ? number(args, "replicate") : 0;
+    library.makeCase(state, path(args, "write", ""));
+}
+
 } // End anonymous namespace
 
 
@@ -163,6 +206,11 @@ int main(int argc, char* argv[])
     const fileName folder(path(args, "folder", ""));
     const fileName key(path(args, "key", folder/"key.json"));
     const fileName ensembles(path(args, "ensemble", slice/"ensemble"));
+    if (args.found("write"))
+    {
+        writeCase(args, slice, ensembles);
+        return 0;
+    }
     const bool solver = args.found("solver");
     const bool diagnoses = args.found("diagnose");
 
