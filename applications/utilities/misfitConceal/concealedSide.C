@@ -167,8 +167,8 @@ Foam::misfit::concealedSide::readEnsemble(const fileName& file) const
     {
         stop
         (
-            "is of runs with other formulas, numbers or channels than the dictionary of"
-            " its side has now"
+            "is of runs with other formulas, files, numbers or channels than the"
+            " dictionary of its side has now"
         );
     }
     List<prediction> runs(states_.size());
