@@ -167,6 +167,14 @@ TEST_F(tank, anIdThatNoGrainHasIsToldOnceThereAreGrains)
     expectSays(warning, "none has one of 1000 100\n");
     EXPECT_EQ(said(), "");
 
+    // Nor does a run that goes on tell it again
+    functionObjects::grainTrack again
+    (
+        "track", box_.time(), dict("ids (7 1000 100);")
+    );
+    ++box_.time();
+    EXPECT_EQ(saidDuring([&]() { again.write(); }), "");
+
     // Whoever has found them has seen them
     functionObjects::grainTrack nearest
     (

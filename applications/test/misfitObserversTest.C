@@ -276,6 +276,13 @@ TEST(misfitObservers, aCaseThatEndsBeforeItsRecordingIsToldOfBeforeTheFirst)
         saidDuring([&]() { expanded.predict.predict({withSlope(2)}); }),
         "experiment A is 1 s"
     );
+
+    // A command may put a number in the place of a word
+    const fakeCase word;
+    word.write("system/controlDict", "#include \"more\"\nendTime END;\n");
+    fakePredictor later(word);
+    EXPECT_EQ(saidDuring([&]() { later.predict.predict({withSlope(2)}); }), "");
+    EXPECT_EQ(word.count(), 1);
 }
 
 

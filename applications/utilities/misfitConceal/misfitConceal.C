@@ -68,24 +68,29 @@ label number(const argList& args, const word& option)
 //- Fatal if there is nothing to do, or not all that it takes
 void checkAction(const argList& args)
 {
-    bool any = false;
+    const bool writes = args.found("write");
+    bool others = false;
     for
     (
         const char* what :
-        {"make", "diagnose", "score", "calibrate", "check", "write"}
+        {"make", "diagnose", "score", "calibrate", "check"}
     )
     {
-        any = any || args.found(what);
+        others = others || args.found(what);
     }
     const char* missing =
-        !any || (args.found("make") && number(args, "make") < 1)
+        !(writes || others)
+     || (args.found("make") && number(args, "make") < 1)
       ? "Nothing to do: give -make with a number above 0, -diagnose, -score,"
         " -calibrate, -check or -write"
+      : writes && others
+      ? "-write writes one case and does nothing else: give it alone"
+      : !writes && (args.found("with") || args.found("replicate"))
+      ? "-with and -replicate say which case -write writes: give it, too"
       : args.found("calibrate") && !args.found("table")
       ? "-calibrate needs -table too: the file that the table of confidences"
         " is written to"
-      : !args.found("calibrate") && !args.found("write")
-     && !args.found("folder")
+      : !args.found("calibrate") && !writes && !args.found("folder")
       ? "Give -folder with the folder of the cases"
       : nullptr;
     if (missing)
@@ -164,6 +169,13 @@ void writeCase
     const fileName& ensembles
 )
 {
+    const fileName target(path(args, "write", ""));
+    if (exists(target))
+    {
+        FatalErrorInFunction
+            << target << " is there already: name a folder that is not, or remove it"
+            << exit(FatalError);
+    }
     concealedSide library(slice, ensembles, "library", true);
     const word with(args.lookupOrDefault("with", word()));
     runState state;
@@ -184,7 +196,7 @@ void writeCase
             << keywords::listed(names).c_str() << exit(FatalError);
     }
     state.replicate = args.found("replicate") ? number(args, "replicate") : 0;
-    library.makeCase(state, path(args, "write", ""));
+    library.makeCase(state, target);
 }
 
 } // End anonymous namespace

@@ -51,6 +51,7 @@ Foam::functionObjects::grainTrack::grainTrack
     {
         kept("ids", ids_);
     }
+    kept("looked", looked_);
     if (writes())
     {
         writeHeaders();
@@ -77,7 +78,7 @@ void Foam::functionObjects::grainTrack::writeHeaders()
     writeColumns
     (
         file(),
-        "Of each grain: its number (-1: it is gone), place in m, velocity in m/s,"
+        "Of each grain: its number (-1: there is none), place in m, velocity in m/s,"
         " spin in rad/s, in coordinates of the flume",
         names
     );
@@ -168,7 +169,11 @@ void Foam::functionObjects::grainTrack::tell(const string& unknown)
 
     const labelList& ids = grains().id;
     const label n = returnReduce(ids.size(), sumOp<label>());
-    looked_ = n;
+    if (n)
+    {
+        looked_ = true;
+        setProperty("looked", looked_);
+    }
 
     if (n && unknown.size())
     {
@@ -178,7 +183,8 @@ void Foam::functionObjects::grainTrack::tell(const string& unknown)
             << type() << " " << name() << ": of the " << n << " grains, with ids "
             << first << " to " << last << ", none has one of"
             << unknown.c_str() << nl
-            << "    Until one has, its columns are -1 and zeros." << endl;
+            << "    It has left, is yet to come, or the number is wrong; until a grain"
+            << " has it, its columns are -1 and zeros." << endl;
     }
 }
 

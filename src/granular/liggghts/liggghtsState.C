@@ -213,7 +213,7 @@ Foam::autoPtr<Foam::grainSnapshot> Foam::liggghtsPhase::snapshot() const
         );
     }
 
-    addContacts(*liggghts_, periodicity(mesh_), grains);
+    addContacts(*liggghts_, outlet_.images(), grains);
 
     return result;
 }

@@ -182,7 +182,16 @@ void Foam::misfit::solverPredictor::checkEnd
     const word& experiment
 ) const
 {
-    const scalar endTime = control.getOrDefault<scalar>("endTime", GREAT);
+    // Of a word a command may make a number before the run
+    const entry* end = control.findEntry("endTime");
+    const bool isNumber =
+        end && end->isStream() && end->stream().size() == 1
+     && end->stream()[0].isNumber();
+    if (!isNumber)
+    {
+        return;
+    }
+    const scalar endTime = end->stream()[0].number();
     for (const channel& c : recordings_.channels())
     {
         if

@@ -114,8 +114,9 @@ Foam::fileName Foam::materialPointsPhase::stateOnDisk() const
 bool Foam::materialPointsPhase::writeState(const fileName& folder)
 {
     const fileName aside(folder/(stateName_ + ".incomplete"));
+    const label mine = method_.points().size();
     labelList n(Pstream::nProcs());
-    n[Pstream::myProcNo()] = size();
+    n[Pstream::myProcNo()] = mine;
     Pstream::gatherList(n);
 
     bool complete = true;
@@ -143,7 +144,7 @@ bool Foam::materialPointsPhase::writeState(const fileName& folder)
     }
     else
     {
-        for (label begin = 0; begin < size(); begin += pieceOfState)
+        for (label begin = 0; begin < mine; begin += pieceOfState)
         {
             send(packed(method_.points(), begin));
         }
@@ -232,7 +233,7 @@ Foam::dictionary Foam::materialPointsPhase::activePhysics() const
 
 Foam::autoPtr<Foam::grainSnapshot> Foam::materialPointsPhase::snapshot() const
 {
-    auto result = autoPtr<grainSnapshot>::New(size());
+    auto result = autoPtr<grainSnapshot>::New(method_.points().size());
     grainSnapshot& grains = *result;
     const pointSet& p = method_.points();
 
