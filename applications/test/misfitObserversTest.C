@@ -281,7 +281,11 @@ TEST(misfitObservers, aCaseThatEndsBeforeItsRecordingIsToldOfBeforeTheFirst)
     const fakeCase word;
     word.write("system/controlDict", "#include \"more\"\nendTime END;\n");
     fakePredictor later(word);
-    EXPECT_EQ(saidDuring([&]() { later.predict.predict({withSlope(2)}); }), "");
+    const std::string said
+    (
+        saidDuring([&]() { later.predict.predict({withSlope(2)}); })
+    );
+    EXPECT_EQ(said.find("endTime"), std::string::npos) << said;
     EXPECT_EQ(word.count(), 1);
 }
 
