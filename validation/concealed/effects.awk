@@ -4,6 +4,9 @@
 #
 #   awk -F, -v noise="30 50 0.003 0.01 0.002" -f effects.awk rows/*.csv
 #
+# Where vectors names a file, the effects themselves go there, mechanism,sample,effect,
+# each over the deviation that chance and noise give it.
+#
 # noise: of a reading of P, N, L, Q and S, the first letters of the channels. A row has
 # run,code,seconds and then <channel>_<sample>.
 
@@ -39,14 +42,17 @@ function scatter(c,    i, r, squares)
 }
 
 # Sum of the squares of an effect over its variance, less what chance gives
-function effect(what, c,    i, n, squares)
+function effect(what, c,    i, x, all, squares)
 {
-    n = runs[what]
+    all = variance[c] + ofReading[c]^2/3
     for (i = 4; i <= columns; i++)
-        if (index(heading[i], c "_") == 1)
-            squares += (mean[what, i]/n - mean["without", i]/without)^2
-    squares -= samples[c]*variance[c]*(1/n + 1/without)
-    squares /= variance[c] + ofReading[c]^2/3
+    {
+        if (index(heading[i], c "_") != 1) continue
+        x = (mean[what, i]/runs[what] - mean["without", i]/without)/sqrt(all)
+        squares += x*x
+        if (vectors) printf "%s,%s,%.4g\n", what, heading[i], x > vectors
+    }
+    squares -= samples[c]*variance[c]*(1/runs[what] + 1/without)/all
     return squares > 0 ? squares : 0
 }
 
