@@ -23,7 +23,7 @@ vec quadratic(const vec& x)
 
 
 //- A straight line through the samples, with priors and bounds
-class line
+class straightLine
 :
     public statistics::fittedModel
 {
@@ -64,9 +64,9 @@ public:
 };
 
 
-line threePoints()
+straightLine threePoints()
 {
-    line l;
+    straightLine l;
     l.a.resize(3, 2);
     l.a << 1, 0, 1, 1, 1, 2;
     l.priorMean = vec::Zero(2);
@@ -205,7 +205,7 @@ TEST(misfitSurface, slopesAreDifferencesAndARunIsMet)
 
 TEST(misfitFit, withAPriorItIsTheClosedForm)
 {
-    line l(threePoints());
+    straightLine l(threePoints());
     l.priorMean << 1, 2;
     l.priorDeviation << 0.5, 3;
     vec y(3);
@@ -229,7 +229,7 @@ TEST(misfitFit, withAPriorItIsTheClosedForm)
 TEST(misfitFit, variancesHaveAnyUnitsAndAFlatDirectionIsNotKnown)
 {
     // A viscosity beside a density: the data say nothing of either
-    line l(threePoints());
+    straightLine l(threePoints());
     l.a.setZero();
     l.priorMean.setZero();
     l.priorDeviation << 1e-8, 2;
@@ -250,7 +250,7 @@ TEST(misfitFit, variancesHaveAnyUnitsAndAFlatDirectionIsNotKnown)
 
 TEST(misfitFit, aBoundHoldsAndIsTold)
 {
-    line l(threePoints());
+    straightLine l(threePoints());
     l.priorDeviation.setZero();
     l.least << -100, 0;
     vec y(3);
@@ -268,7 +268,7 @@ TEST(misfitFit, aBoundHoldsAndIsTold)
 TEST(misfitFit, withinBoundsNoVariableIsSurerOrLessSureThanTheyLeave)
 {
     const whitener white(mat::Identity(3, 3));
-    line l(threePoints());
+    straightLine l(threePoints());
 
     // At a bound, and by the prior: the closed form
     l.most = vec::Zero(2);

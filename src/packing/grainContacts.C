@@ -104,7 +104,7 @@ imagedGrains withImages
 
 
 //- Grains sorted into cubes at least as wide as the reach
-class cellList
+class linkedCells
 {
     point origin_;
     scalar width_;
@@ -114,7 +114,7 @@ class cellList
 
 public:
 
-    cellList(const UList<point>& positions, const scalar width)
+    linkedCells(const UList<point>& positions, const scalar width)
     :
         origin_(boundBox(positions, false).min()),
         width_(width),
@@ -241,7 +241,7 @@ Foam::DynamicList<Foam::grainPair> Foam::pairsWithin
 
     const scalar reach = max(diameters) + gap;
     const imagedGrains all = withImages(box, positions, reach);
-    const cellList cells(all.position, reach);
+    const linkedCells cells(all.position, reach);
 
     forAll(positions, i)
     {

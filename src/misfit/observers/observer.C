@@ -236,7 +236,7 @@ void observeProfile(observer& o)
 }
 
 
-struct type
+struct wayToObserve
 {
     //- Of its dictionary, beside "type"
     wordList keys;
@@ -245,9 +245,9 @@ struct type
 };
 
 //- All types, by their names
-const HashTable<type>& types()
+const HashTable<wayToObserve>& types()
 {
-    static const HashTable<type> all
+    static const HashTable<wayToObserve> all
     ({
         {
             "level", {{"field", "end", "points", "interval"}, observeLevel}
@@ -278,7 +278,7 @@ Foam::misfit::observer::observer(const channel& c)
 :
     of(c)
 {
-    const type& its = types()
+    const wayToObserve& its = types()
     [
         keywords::choice
         (

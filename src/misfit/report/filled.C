@@ -14,13 +14,13 @@ namespace
 
 using namespace Foam;
 using namespace Foam::misfit;
-using namespace kainjow::mustache;
+namespace mustache = kainjow::mustache;
 
-data filling(const json& from)
+mustache::data filling(const json& from)
 {
     if (from.is_object())
     {
-        object all;
+        mustache::object all;
         for (const auto& [key, value] : from.items())
         {
             all.emplace(key, filling(value));
@@ -33,7 +33,7 @@ data filling(const json& from)
     }
     if (from.is_array())
     {
-        list all;
+        mustache::list all;
         std::transform(from.begin(), from.end(), std::back_inserter(all), &filling);
         return all;
     }
@@ -49,9 +49,9 @@ data filling(const json& from)
 
 //- The template of that file, which has the text; fatal, naming the line, where its
 //  syntax has a fault
-mustache checkedTemplate(const word& file, const string& text)
+mustache::mustache checkedTemplate(const word& file, const string& text)
 {
-    const mustache parsed(text);
+    const mustache::mustache parsed(text);
     if (!parsed.is_valid())
     {
         // It ends with how many characters are before the fault
@@ -91,7 +91,7 @@ std::string Foam::misfit::filled(const word& file, const json& from)
 
 Foam::string Foam::misfit::said(const word& part, const json& facts)
 {
-    static mustache words
+    static mustache::mustache words
     (
         [text = ofProject("words")]()
         {
@@ -100,5 +100,5 @@ Foam::string Foam::misfit::said(const word& part, const json& facts)
         }()
     );
     words.set_custom_escape([](const std::string& text) { return text; });
-    return words.render(object{{part, filling(facts)}});
+    return words.render(mustache::object{{part, filling(facts)}});
 }

@@ -41,7 +41,7 @@ namespace
         return {vectors[3*i], vectors[3*i + 1], vectors[3*i + 2]};
     }
 
-    void add(double* const vectors, const int i, const Foam::triple& v)
+    void addTo(double* const vectors, const int i, const Foam::triple& v)
     {
         vectors[3*i] += v.x;
         vectors[3*i + 1] += v.y;
@@ -260,15 +260,15 @@ void Foam::vectorisedContacts::scatter(const int n)
         }
 
         const triple F = c.force(k);
-        add(force, c.i[k], F);
-        add(torque, c.i[k], c.torqueI(k));
+        addTo(force, c.i[k], F);
+        addTo(torque, c.i[k], c.torqueI(k));
 
         // What belongs to another rank, or is a periodic image, gets its force
         // there
         if (c.j[k] < atom->nlocal)
         {
-            add(force, c.j[k], F*(-1));
-            add(torque, c.j[k], c.torqueJ(k));
+            addTo(force, c.j[k], F*(-1));
+            addTo(torque, c.j[k], c.torqueJ(k));
         }
     }
 }
