@@ -54,7 +54,7 @@ EIGEN_INC = -isystem /usr/include/eigen3 -DEIGEN_FAST_MATH=0 \
 
 # Headers of others take three quarters of a compilation. What a part names in "precompile"
 # (nothing where that is empty) is read once, by Allwmake with "wmake precompiled", for all
-# parts that name the same; where OpenFOAM is built anew, again.
+# parts that name the same; where one of its headers changes, again.
 precompile ?= $(INTERDEMFOAM_DIR)/etc/openfoam.H
 PRECOMPILED = $(INTERDEMFOAM_DIR)/platforms/$(WM_OPTIONS)/$(subst \
     /,.,$(patsubst $(INTERDEMFOAM_DIR)/%,%,$(precompile)))
@@ -63,10 +63,10 @@ usePrecompiled = $(patsubst %.gch,-include %,$(wildcard $(PRECOMPILED).gch))
 .PHONY: precompiled
 precompiled: $(PRECOMPILED).gch ; @:
 $(PRECOMPILED).gch: usePrecompiled =
-$(PRECOMPILED).gch: $(precompile) $(wildcard $(INTERDEMFOAM_DIR)/etc/openfoam.H \
-        $(INTERDEMFOAM_DIR)/src/*/precompiled.H $(FOAM_LIBBIN)/libOpenFOAM.so)
+$(PRECOMPILED).gch: $(precompile)
 	echo '#include "$(precompile)"' > $(PRECOMPILED)
-	$(CC) $(c++FLAGS) -x c++-header $(PRECOMPILED) -o $@
+	$(CC) $(c++FLAGS) -MD -MF $(PRECOMPILED).d -x c++-header $(PRECOMPILED) -o $@.part
+	mv $@.part $@
 # The first target of wmake's own files stays what is made by default
 .DEFAULT_GOAL :=
 
