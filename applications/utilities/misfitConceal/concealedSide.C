@@ -4,14 +4,12 @@
 #include "concealedSide.H"
 #include "caseChange.H"
 #include "diagnosis.H"
-#include "report.H"
+#include "keptRuns.H"
 #include "textFile.H"
 
 #include "serialTool.H"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 namespace
 {
@@ -31,43 +29,6 @@ dictionary readDictionary(const fileName& file, wordList& outside)
     dict.readIfPresent("outside", outside);
     dict.remove("outside");
     return dict;
-}
-
-
-//- What a run gives as the file holds it
-prediction reduced(const prediction& p)
-{
-    prediction r;
-    r.failure = p.failure;
-    for (const series& s : p.channels)
-    {
-        series few;
-        const scalar end = s.x.empty() ? -1 : s.x.last();
-        for (label i = 0; i*step <= end + 1e-9; ++i)
-        {
-            few.x.append(i*step);
-            few.y.append(std::strtod(shortNumber(s(i*step)).c_str(), nullptr));
-        }
-        r.channels.append(few);
-    }
-    return r;
-}
-
-
-series readSeries(const std::string& line)
-{
-    std::istringstream is(line);
-    std::string name;
-    scalar first;
-    scalar between;
-    is >> name >> first >> between;
-    series s;
-    for (scalar y; is >> y;)
-    {
-        s.x.append(first + between*s.x.size());
-        s.y.append(y);
-    }
-    return s;
 }
 
 } // End anonymous namespace
@@ -111,102 +72,13 @@ Foam::List<Foam::misfit::runState> Foam::misfit::concealedSide::ensembleStates
 }
 
 
-void Foam::misfit::concealedSide::writeEnsemble(const fileName& file)
-{
-    const List<prediction> runs(solver_.predict(states_));
-    std::ostringstream os;
-    os << solver_.digest(states_) << '\n';
-    forAll(states_, i)
-    {
-        os << describe(states_[i]) << '\n';
-        if (!runs[i].ok())
-        {
-            os << "failed\n";
-            continue;
-        }
-        const prediction few(reduced(runs[i]));
-        forAll(few.channels, c)
-        {
-            const series& s = few.channels[c];
-            if (s.x.size())
-            {
-                os << bare_.channels()[c].name << ' ' << s.x.first() << ' ' << step;
-                for (const scalar y : s.y)
-                {
-                    os << ' ' << y;
-                }
-                os << '\n';
-            }
-        }
-    }
-    mkDir(file.path());
-    writeWhole(file, os.str());
-}
-
-
-Foam::List<Foam::misfit::prediction>
-Foam::misfit::concealedSide::readEnsemble(const fileName& file) const
-{
-    std::ifstream is(file);
-    const auto stop = [&file](const std::string& why)
-    {
-        FatalErrorInFunction
-            << "The ensemble " << file << ' ' << why.c_str() << ". Delete it to have it"
-            << " computed anew" << exit(FatalError);
-    };
-    const auto nextLine = [&]
-    {
-        std::string line;
-        if (!std::getline(is, line))
-        {
-            stop("ends too early");
-        }
-        return line;
-    };
-    if (nextLine() != solver_.digest(states_))
-    {
-        stop
-        (
-            "is of runs with other formulas, files, numbers or channels than the"
-            " dictionary of its side has now"
-        );
-    }
-    List<prediction> runs(states_.size());
-    forAll(states_, i)
-    {
-        const std::string state(describe(states_[i]));
-        if (nextLine() != state)
-        {
-            stop
-            (
-                "is of another design: run " + std::to_string(i + 1) + " should be "
-              + state
-            );
-        }
-        for (const channel& c : bare_.channels())
-        {
-            runs[i].channels.append(series());
-            if (c.experiment == states_[i].experiment && runs[i].ok())
-            {
-                const std::string line(nextLine());
-                runs[i].channels.last() = readSeries(line);
-                if (line == "failed")
-                {
-                    runs[i].failure = "failed when the ensemble was made";
-                }
-            }
-        }
-    }
-    return runs;
-}
-
-
 Foam::misfit::concealedSide::concealedSide
 (
     const fileName& slice,
     const fileName& ensembles,
     const word& side,
-    const bool useSolver
+    const bool useSolver,
+    const label most
 )
 :
     dict_(readDictionary(slice/"sides"/side + "Dict", outside_)),
@@ -223,11 +95,17 @@ Foam::misfit::concealedSide::concealedSide
         return;
     }
     states_ = ensembleStates(set, replicate(side));
-    if (!isFile(file, false))
+    stringList names;
+    for (const runState& s : states_)
     {
-        writeEnsemble(file);
+        names.append(describe(s));
     }
-    const List<prediction> all(readEnsemble(file));
+    const keptRuns kept{file, solver_.digest(states_), bare_, states_, names, step};
+    const List<prediction> all(kept.grown(solver_, most, batch()));
+    if (all.size() < states_.size())
+    {
+        return;
+    }
     forAll(states_, i)
     {
         if (all[i].ok())
@@ -289,7 +167,7 @@ Foam::misfit::concealedSide::predict(const List<runState>& states)
 Foam::scalar Foam::misfit::concealedSide::difference(const label run)
 {
     const runState& state = states_[run];
-    const prediction now(reduced(solver_.predict(List<runState>(1, state))[0]));
+    const prediction now(keptRuns::reduced(solver_.predict({state})[0], step));
     const auto then = known_.cfind(describe(state));
     if (!now.ok() || !then.found())
     {

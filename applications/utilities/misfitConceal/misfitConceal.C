@@ -30,6 +30,8 @@ void addOptions()
         {"folder", "dir", "Folder of the cases"},
         {"key", "file", "The key; folder/key.json if not given"},
         {"ensemble", "dir", "Training ensembles; ensemble of the slice if not given"},
+        {"compute", "n", "Compute so many of the runs that the training"
+            " ensembles lack, and tell how many are there"},
         {"make", "n", "Make so many cases and their key"},
         {"seed", "number", "With -make; secret if not given"},
         {"diagnose", "", "Diagnose all cases in the folder"},
@@ -68,8 +70,9 @@ label number(const argList& args, const word& option)
 //- Fatal if there is nothing to do, or not all that it takes
 void checkAction(const argList& args)
 {
+    const bool computes = args.found("compute");
     const bool writes = args.found("write");
-    bool others = false;
+    bool others = computes && writes;
     for
     (
         const char* what :
@@ -79,18 +82,20 @@ void checkAction(const argList& args)
         others = others || args.found(what);
     }
     const char* missing =
-        !(writes || others)
+        !(computes || writes || others)
      || (args.found("make") && number(args, "make") < 1)
-      ? "Nothing to do: give -make with a number above 0, -diagnose, -score,"
-        " -calibrate, -check or -write"
-      : writes && others
-      ? "-write writes one case and does nothing else: give it alone"
+     || (computes && number(args, "compute") < 0)
+      ? "Nothing to do: give -make with a number above 0, -compute with its"
+        " number, -diagnose, -score, -calibrate, -check or -write"
+      : (computes || writes) && others
+      ? "-write writes one case, -compute computes an ensemble, and each does nothing"
+        " else: give it alone"
       : !writes && (args.found("with") || args.found("replicate"))
       ? "-with and -replicate say which case -write writes: give it, too"
       : args.found("calibrate") && !args.found("table")
       ? "-calibrate needs -table too: the file that the table of confidences"
         " is written to"
-      : !args.found("calibrate") && !writes && !args.found("folder")
+      : !(args.found("calibrate") || computes || writes || args.found("folder"))
       ? "Give -folder with the folder of the cases"
       : nullptr;
     if (missing)
@@ -224,6 +229,19 @@ int main(int argc, char* argv[])
         return 0;
     }
     const bool solver = args.found("solver");
+    // The solver's truth has no ensemble
+    const wordList sides
+    (
+        solver ? wordList({"library"}) : wordList({"library", "truth"})
+    );
+    if (args.found("compute"))
+    {
+        for (const word& side : sides)
+        {
+            concealedSide(slice, ensembles, side, false, number(args, "compute"));
+        }
+        return 0;
+    }
     const bool diagnoses = args.found("diagnose");
 
     if (args.found("make"))
@@ -244,12 +262,7 @@ int main(int argc, char* argv[])
     }
     if (args.found("check"))
     {
-        // The solver's truth has no ensemble
-        check
-        (
-            slice, ensembles,
-            solver ? wordList({"library"}) : wordList({"library", "truth"})
-        );
+        check(slice, ensembles, sides);
     }
     return 0;
 }

@@ -62,14 +62,19 @@ struct runEnd
         return at == string::npos ? -1 : std::atof(why.c_str() + at + words.size());
     }
 
-    //- It did not fail by itself: killed by somebody else, perhaps by a machine without
-    //  room, asked to stop, or out of time
-    bool isFromOutside() const
+    //- Killed by somebody else, perhaps by a machine without room, or asked to stop
+    bool isKilled() const
     {
         const string why(reason());
         return
-            limit() >= 0 || why.find(" ended with 137") != string::npos
+            why.find(" ended with 137") != string::npos
          || why.find(" ended with 143") != string::npos;
+    }
+
+    //- It did not fail by itself: killed, or out of time
+    bool isFromOutside() const
+    {
+        return limit() >= 0 || isKilled();
     }
 };
 
@@ -286,6 +291,12 @@ Foam::string Foam::misfit::runStore::failure(const wantedRun& run) const
         words.size()
       ? words
       : string("how it ended is not known: no reason stands in " + end.file);
+}
+
+
+bool Foam::misfit::runStore::wasKilled(const wantedRun& run) const
+{
+    return runEnd(folder_/name(run)).isKilled();
 }
 
 

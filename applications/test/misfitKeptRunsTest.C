@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files of runs that grow: what is there is not run again, and half a run or a killed one
+// is never taken for a result.
+
+#include "fakeCase.H"
+#include "keptRuns.H"
+#include "saidDuring.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+
+//- Runs of a fake case with these slopes
+struct fakeRuns
+{
+    const fakeCase& of;
+
+    List<runState> states;
+
+    fakePredictor ask;
+
+    keptRuns kept;
+
+
+    fakeRuns(const fakeCase& c, const scalarList& slopes, const string& head = "as now")
+    :
+        of(c),
+        ask(c, "jobs 1; "),
+        kept{c.folder()/"kept/runs.txt", head, ask.recorded, states, {}, 0.5}
+    {
+        for (const scalar s : slopes)
+        {
+            states.append(withSlope(s));
+            kept.names.append(describe(states.last()));
+        }
+    }
+
+    List<prediction> grown(const label most = labelMax, const label batch = 2)
+    {
+        return kept.grown(ask.predict, most, batch);
+    }
+
+    std::string text() const
+    {
+        return contentOf(kept.file);
+    }
+};
+
+
+TEST(misfitKeptRuns, aFileHoldsRunsInWordsAndFourDigits)
+{
+    const fakeCase c;
+    fakeRuns runs(c, {1.23456, 9});
+    const List<prediction> p(runs.grown());
+    EXPECT_EQ
+    (
+        runs.text(),
+        "as now\nexperiment A, slope 1.23456\ny 0 0.5 0 0.6173 1.235 1.852 2.469\n"
+        "experiment A, slope 9\nfailed\n"
+    );
+    EXPECT_EQ(p[0].channels[0].y, scalarList({0, 0.6173, 1.235, 1.852, 2.469}));
+    EXPECT_FALSE(p[1].ok());
+    const List<prediction> again(runs.kept.read());
+    EXPECT_EQ(again[0].channels[0].y, p[0].channels[0].y);
+    EXPECT_EQ(again[0].channels[0].x, p[0].channels[0].x);
+    EXPECT_FALSE(again[1].ok());
+}
+
+
+TEST(misfitKeptRuns, itIsGoneOnWithWhereItWasStopped)
+{
+    const fakeCase whole;
+    const fakeCase c;
+    const scalarList slopes({1, 2, 3, 4, 1.5});
+    fakeRuns all(whole, slopes);
+    all.grown();
+    EXPECT_EQ(fakeRuns(c, slopes).grown(3).size(), 3);
+    EXPECT_EQ(c.count(), 3);
+
+    // Only the file is left
+    rmDir(c.folder()/"misfit");
+    fakeRuns more(c, slopes);
+    const std::string said(saidDuring([&]() { EXPECT_EQ(more.grown().size(), 5); }));
+    expectSays(said, "runs.txt has 3 of 5 runs");
+    expectSays(said, "runs.txt has 5 of 5 runs");
+    EXPECT_EQ(c.count(), 5);
+    EXPECT_EQ(more.text(), all.text());
+
+    more.grown();
+    EXPECT_EQ(c.count(), 5);
+}
+
+
+TEST(misfitKeptRuns, eachBatchIsInTheFileBeforeTheNextBegins)
+{
+    const fakeCase c;
+    c.write("full", "");
+    fakeRuns runs(c, {1, 2, 3, 6, 4});
+    const std::string said
+    (
+        saidDuring([&]() { expectSays(refusal([&]() { runs.grown(); }), "misfit/runs"); })
+    );
+    expectSays(said, "has 2 of 5 runs, about 1 min for the 3 to do");
+    EXPECT_EQ(runs.kept.read().size(), 2);
+}
+
+
+TEST(misfitKeptRuns, aRunThatWasKilledIsNoFailure)
+{
+    const fakeCase c;
+    fakeRuns runs(c, {1, 7, 2});
+    expectSays(refusal([&]() { runs.grown(labelMax, 3); }), "has the 1 before it");
+    EXPECT_EQ(runs.kept.read().size(), 1);
+    expectSaysNo(runs.text(), "failed");
+}
+
+
+TEST(misfitKeptRuns, halfARunIsNotTakenForAWholeOne)
+{
+    const fakeCase c;
+    fakeRuns runs(c, {1, 2});
+    runs.grown();
+    const std::string text(runs.text());
+    const auto second = text.find("experiment", text.find("experiment") + 1);
+    for (auto size = text.size() - 1; size > second; --size)
+    {
+        writeWhole(runs.kept.file, text.substr(0, size));
+        expectSays(refusal([&]() { runs.kept.read(); }), "ends within a run");
+    }
+    writeWhole(runs.kept.file, text.substr(0, second));
+    EXPECT_EQ(runs.kept.read().size(), 1);
+}
+
+
+TEST(misfitKeptRuns, runsOfOtherFormulasOrOfAnotherDesignAreRefused)
+{
+    const fakeCase c;
+    fakeRuns(c, {1, 2, 3}).grown(2);
+    expectSays(refusal([&]() { fakeRuns(c, {1, 2}, "before").grown(); }), "other formulas");
+    expectSays(refusal([&]() { fakeRuns(c, {1, 3}).grown(); }), "another design: run 2");
+    EXPECT_EQ(fakeRuns(c, {1}).grown().size(), 1);
+    EXPECT_EQ(c.count(), 2);
+}
