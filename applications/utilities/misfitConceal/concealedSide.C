@@ -20,6 +20,9 @@ using namespace Foam::misfit;
 //- Time between two values of an ensemble [s]
 const scalar step = 0.02;
 
+//- The same of a truth, which all readings of a case are made of
+const scalar fineStep = 0.01;
+
 //- Without the entry "outside", which only the making knows
 dictionary readDictionary(const fileName& file, wordList& outside)
 {
@@ -161,6 +164,22 @@ Foam::misfit::concealedSide::predict(const List<runState>& states)
         all[places[i]] = run[i];
     }
     return all;
+}
+
+
+Foam::List<Foam::misfit::prediction> Foam::misfit::concealedSide::predict
+(
+    const List<runState>& states,
+    const fileName& kept
+)
+{
+    stringList names;
+    for (const runState& s : states)
+    {
+        names.append(solver_.digest({s}));
+    }
+    const keptRuns runs{kept, "runs of concealed cases", bare_, states, names, fineStep};
+    return runs.grown(solver_, labelMax, batch());
 }
 
 

@@ -288,7 +288,8 @@ void Foam::misfit::makeCases
     concealedSide& truth,
     const fileName& folder,
     const fileName& keyFile,
-    const label n
+    const label n,
+    const fileName& kept
 )
 {
     json key(readJson(keyFile));
@@ -308,7 +309,10 @@ void Foam::misfit::makeCases
         const label replicate = concealedSide::replicate("truth") + own*i;
         states.append(statesOf(cases[i], all.experiments(), replicate));
     }
-    const List<prediction> given(truth.predict(states));
+    const List<prediction> given
+    (
+        kept.empty() ? truth.predict(states) : truth.predict(states, kept)
+    );
     const label each = all.experiments().size() + 1;
 
     for (label i = 0; i < n; ++i)

@@ -34,6 +34,8 @@ void addOptions()
             " ensembles lack, and tell how many are there"},
         {"make", "n", "Make so many cases and their key"},
         {"seed", "number", "With -make; secret if not given"},
+        {"keep", "file", "With -make and -solver: keep the runs there, and go on with"
+            " those that are there"},
         {"diagnose", "", "Diagnose all cases in the folder"},
         {"score", "", "Score the verdicts against the key"},
         {"calibrate", "cases.csv", "Fit the table of confidences to scored cases"},
@@ -92,6 +94,8 @@ void checkAction(const argList& args)
         " else: give it alone"
       : !writes && (args.found("with") || args.found("replicate"))
       ? "-with and -replicate say which case -write writes: give it, too"
+      : args.found("keep") && !(args.found("make") && args.found("solver"))
+      ? "-keep keeps the runs of -make with -solver: give both"
       : args.found("calibrate") && !args.found("table")
       ? "-calibrate needs -table too: the file that the table of confidences"
         " is written to"
@@ -141,7 +145,8 @@ void make
             << exit(FatalError);
     }
     concealedSide truth(args.path(), ensembles, "truth", args.found("solver"));
-    makeCases(truth, folder, keyFile, number(args, "make"));
+    const fileName kept(args.found("keep") ? path(args, "keep", "") : fileName());
+    makeCases(truth, folder, keyFile, number(args, "make"), kept);
 }
 
 
