@@ -158,25 +158,71 @@ Foam::scalar Foam::dilatantMuI::largestPressure
 }
 
 
-Foam::scalar Foam::dilatantMuI::shearRate
+Foam::dilatantMuI::flow Foam::dilatantMuI::sheared
 (
-    const scalar trial,
-    const scalar p,
+    const state& trial,
     const scalar phi,
     const scalar dt
 ) const
 {
-    const scalar perStress = shearModulus()*dt;
+    const scalar K = bulkModulus();
+    const scalar G = shearModulus();
+    const scalar inertia = sqr(diameter_)*solidDensity_;
 
-    return rootBetween
-    (
-        [&](const scalar rate)
-        {
-            return perStress*rate + strength(rate, p, phi) - trial;
-        },
-        scalar(0),
-        trial/perStress
-    );
+    // Of a given I_m friction and dilatancy are numbers, and rate and pressure
+    // follow from linear equations; what is left is that they have this I_m.
+    // x = I_m/(1 + I_m), so that all of them lie in 0 to 1
+    scalar rate = 0;
+    scalar p = 0;
+    const auto excess = [&](const scalar x)
+    {
+        const scalar rest = 1 - x;
+        const scalar beta =
+            dilation_*max(phi - maximum_*rest/(rest + a_*x), scalar(0));
+        const scalar mu =
+            static_ + (limit_ - static_)*x/(x + b_*rest)
+          + (withDilation_ ? beta : 0);
+
+        rate = max
+        (
+            (trial.rootJ2 - mu*trial.p)
+           /(
+                G*dt + mu*K*dt*beta
+              + 2.5*phi*viscosity_*rest/(a_*x)
+            ),
+            scalar(0)
+        );
+        p = trial.p + K*dt*rate*beta;
+
+        return
+            sqr(x)*p
+          - sqr(rest)*(inertia*sqr(rate) + 2*viscosity_*rate);
+    };
+
+    excess(rootBetween(excess, SMALL, scalar(1)));
+    return flow{max(p, scalar(0)), rate};
+}
+
+
+Foam::dilatantMuI::flow Foam::dilatantMuI::compacted
+(
+    const state& trial,
+    const scalar phi,
+    const scalar dt
+) const
+{
+    // phi_eq = phi says I_m, and the rest is quadratic in the rate
+    const scalar I = max(maximum_ - phi, SMALL)/(a_*phi);
+    const scalar mu = static_ + (limit_ - static_)*I/(I + b_);
+    const scalar square = mu*sqr(diameter_/I)*solidDensity_;
+    const scalar linear =
+        shearModulus()*dt
+      + (2*mu/I + 2.5*phi/a_)*viscosity_/I;
+    const scalar rate =
+        2*trial.rootJ2
+       /(linear + sqrt(sqr(linear) + 4*square*trial.rootJ2));
+
+    return flow{largestPressure(rate, phi), rate};
 }
 
 
@@ -187,42 +233,15 @@ Foam::dilatantMuI::state Foam::dilatantMuI::returned
     const scalar dt
 ) const
 {
-    const scalar K = bulkModulus();
-    const scalar G = shearModulus();
-    const auto rateAt = [&](const scalar p)
+    flow after(sheared(trial, phi, dt));
+
+    if (phi < maximum_ && after.p > largestPressure(after.rate, phi))
     {
-        return shearRate(trial.rootJ2, p, phi, dt);
-    };
-
-    // No more than all shear being plastic, and beta the largest that there is
-    const scalar most =
-        max(trial.p, scalar(0)) + K*dilation_*phi*trial.rootJ2/G;
-
-    scalar p = rootBetween
-    (
-        [&](const scalar p)
-        {
-            const scalar rate = rateAt(p);
-            return p - trial.p - K*dt*rate*dilatancy(rate, p, phi);
-        },
-        scalar(0),
-        most
-    );
-
-    if (phi < maximum_ && p > largestPressure(rateAt(p), phi))
-    {
-        p = rootBetween
-        (
-            [&](const scalar p)
-            {
-                return p - largestPressure(rateAt(p), phi);
-            },
-            scalar(0),
-            p
-        );
+        after = compacted(trial, phi, dt);
     }
 
-    return state{p, p > 0 ? trial.rootJ2 - G*dt*rateAt(p) : 0};
+    const scalar rootJ2 = trial.rootJ2 - shearModulus()*dt*after.rate;
+    return state{after.p, after.p > 0 ? max(rootJ2, scalar(0)) : 0};
 }
 
 
