@@ -186,3 +186,51 @@ TEST(materialPoints, aPointBeyondTheGridIsNamed)
         EXPECT_NE(said.find("of body body is beyond"), std::string::npos);
     }
 }
+
+
+TEST(materialPoints, densityAveragingSpreadsTheVolumeOfAPointOverItsCellAndKeepsTheSum)
+{
+    for (const bool on : {false, true})
+    {
+        pointBox box;
+        boxOfPoints block
+        (
+            box,
+            Zero,
+            body
+            (
+                elastic,
+                "((0.3 0 0.3) (0.7 1 0.7))",
+                on ? "densityAveraging on;" : ""
+            )
+        );
+        pointSet& p = block.points();
+        const scalar one = p.volume[0];
+
+        // One in the middle of the block, larger by a fifth: it has three
+        // others in its cell
+        label middle = 0;
+        forAll(p.x, i)
+        {
+            const point centre(0.513, 0.5, 0.513);
+            if (mag(p.x[i] - centre) < mag(p.x[middle] - centre))
+            {
+                middle = i;
+            }
+        }
+        p.volume[middle] *= 1.2;
+        const label id = p.id[middle];
+        block.step(1e-5);
+
+        scalar all = 0;
+        forAll(p.x, i)
+        {
+            all += p.volume[i];
+            if (p.id[i] == id)
+            {
+                EXPECT_NEAR(p.volume[i], (on ? 1.05 : 1.2)*one, 1e-9*one);
+            }
+        }
+        EXPECT_NEAR(all, (p.size() + 0.2)*one, 1e-9*one);
+    }
+}

@@ -54,6 +54,7 @@ Foam::materialPointMethod::materialPointMethod
     g_(g),
     flipShare_(flipShare(dict)),
     averaging_(dict.getOrDefault<Switch>("averaging", true)),
+    densityAveraging_(dict.getOrDefault<Switch>("densityAveraging", false)),
     courant_(dict.getOrDefault<scalar>("courant", 0.4)),
     fastest_(0),
     open_(false),
@@ -121,6 +122,10 @@ void Foam::materialPointMethod::step(const scalar dt, const scalar damping)
     }
 
     findDilation(dt);
+    if (densityAveraging_)
+    {
+        averageDensity();
+    }
 
     forAll(laws_, body)
     {
@@ -196,6 +201,29 @@ void Foam::materialPointMethod::findDilation(const scalar dt)
     forAll(p.x, i)
     {
         p.volume[i] *= 1 + dt*dilation_[i];
+    }
+}
+
+
+void Foam::materialPointMethod::averageDensity()
+{
+    pointSet& p = points_;
+    const label n = grid_.nNodes();
+    bodyVolume_.setSize(n*laws_.size());
+    bodyMass_.setSize(n*laws_.size());
+    bodyVolume_ = Zero;
+    bodyMass_ = Zero;
+
+    forAll(p.x, i)
+    {
+        const label cell = cell_[i] + n*p.body[i];
+        bodyVolume_[cell] += p.volume[i];
+        bodyMass_[cell] += p.mass[i];
+    }
+    forAll(p.x, i)
+    {
+        const label cell = cell_[i] + n*p.body[i];
+        p.volume[i] = p.mass[i]*bodyVolume_[cell]/bodyMass_[cell];
     }
 }
 

@@ -117,8 +117,8 @@ Foam::materialPointsPhase::materialPointsPhase
             typeName,
             {
                 "cellSize", "pointsPerCell", "transfer", "averaging",
-                "courant", "timeStep", "walls", "outflow", "contact",
-                "bodies"
+                "densityAveraging", "courant", "timeStep", "walls",
+                "outflow", "contact", "bodies"
             }
         )
     ),

@@ -215,7 +215,14 @@ Foam::dictionary Foam::materialPointsPhase::activePhysics() const
 {
     dictionary result(granularPhase::activePhysics());
 
-    for (const char* key : {"cellSize", "pointsPerCell", "courant", "averaging"})
+    for
+    (
+        const char* key
+      : {
+            "cellSize", "pointsPerCell", "courant", "averaging",
+            "densityAveraging"
+        }
+    )
     {
         if (dict_.found(key))
         {
