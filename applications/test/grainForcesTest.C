@@ -230,6 +230,51 @@ TEST(grainForces, weighTheMeanOfAnIntervalWithTheDensityAtItsStart)
 }
 
 
+TEST(grainForces, areNoneInAnyCellWhereGrainsMoveWithTheFluidAroundThem)
+{
+    // Smoothed over three diameters, so that many cells have a share in each grain
+    testMesh box;
+    standingGrains phase(box.mesh());
+    pointField places(randomPoints(200));
+    place(phase, 0.1*vector::one + 0.8*places, 0.02);
+    grainExchange exchange(box.mesh());
+    voidFraction pores(exchange, entries("model sphereCaps;"));
+    exchange.locate(phase);
+    pores.update();
+
+    // Velocity is curved: that of the cell of a grain is not the one around it
+    fluidFields fluid(water(box.mesh().nCells()));
+    const vectorField& at = box.mesh().C();
+    forAll(fluid.U, cell)
+    {
+        fluid.U[cell] = vector(std::sin(6*at[cell].z()), 0, 0);
+        fluid.rho[cell] = 1000 + 100*at[cell].x();
+    }
+
+    const vectorField momentum(pores.mapping().gather(vectorField(fluid.rho*fluid.U)));
+    const scalarField rho(pores.mapping().gather(fluid.rho));
+    forAll(momentum, i)
+    {
+        phase.grains.U[exchange.grains()[i].id] = momentum[i]/rho[i];
+    }
+    exchange.locate(phase);
+    pores.update();
+
+    interphaseForces forces
+    (
+        exchange, pores, entries("drag { model Ergun; }"), vector(Zero), 1
+    );
+    forces.prepare(fluid, interval);
+
+    const vectorField drag(forces.dragCoefficient()*fluid.U);
+    EXPECT_GT(max(mag(drag)), 0);
+    EXPECT_LT
+    (
+        max(mag(drag + forces.explicitForce())), 1e-12*max(mag(drag))
+    );
+}
+
+
 TEST(grainForces, sumUpWithoutWhatWallsGive)
 {
     // Close to the wall x = 0, towards which it goes

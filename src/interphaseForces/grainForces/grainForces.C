@@ -266,7 +266,9 @@ Foam::List<Foam::givenByGrain> Foam::grainForces::prepare
             gives.drag = drag_[i];
             gives.virtualMass = virtualMass_[i];
             gives.pressureShare = pressure_[i];
-            gives.explicitForce = explicit_[i]/rhoAround[k];
+            gives.explicitForce =
+                explicit_[i]/rhoAround[k]
+              + drag_[i]*(states[k].slip + meanVelocity_[i]);
             weights.add(given, i, gives);
         }
     }

@@ -47,6 +47,7 @@ void Foam::interphaseForces::prepare
     (
         each(sums, &givenByGrain::explicitForce)
     );
+    explicitForce_ -= dragCoefficient_*fluid.U;
     pressureShare_ = mapping.perVolume
     (
         each(sums, &givenByGrain::pressureShare)
