@@ -236,6 +236,36 @@ TEST_F(tank, whatHasMovedHasItsVolumeVelocityAndDepth)
 }
 
 
+TEST_F(tank, aGrainThatHasLeftTheMeshStillCountsForTheDepth)
+{
+    const string settings("threshold 0.05; sections (0.5); sectionWidth 2;");
+    grainSnapshot& g = grains_.grains;
+    {
+        functionObjects::displacedGrains moved
+        (
+            "moved", box_.time(), dict(settings)
+        );
+        ++box_.time();
+        moved.execute();
+        g.id[7] = 2007;
+        ++box_.time();
+        moved.write();
+        EXPECT_EQ(lastLine("moved", "displacedGrains")[1], 0);
+        EXPECT_GT(lastLine("moved", "displacedGrains")[7], 0);
+    }
+
+    // It left before the run that goes on
+    const scalar depth = lastLine("moved", "displacedGrains")[7];
+    functionObjects::displacedGrains moved
+    (
+        "moved", box_.time(), dict(settings)
+    );
+    ++box_.time();
+    moved.write();
+    EXPECT_EQ(lastLine("moved", "displacedGrains")[7], depth);
+}
+
+
 TEST_F(tank, displacementsGoOnFromTheOriginsOfTheRunBefore)
 {
     const string settings("threshold 0.05;");

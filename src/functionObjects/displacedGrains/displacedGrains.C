@@ -153,6 +153,27 @@ void Foam::functionObjects::displacedGrains::begin(const labelList& chosen)
 }
 
 
+void Foam::functionObjects::displacedGrains::addTo
+(
+    scalarField& left,
+    const grainOrigins::record& r
+) const
+{
+    if (!bedTypes_.empty() && !bedTypes_.found(r.type))
+    {
+        return;
+    }
+
+    forAll(sections_, i)
+    {
+        if (mag(frame_.x(r.origin) - sections_[i]) <= sectionWidth_/2)
+        {
+            left[i] += volume(r.d);
+        }
+    }
+}
+
+
 bool Foam::functionObjects::displacedGrains::sample()
 {
     const labelList chosen(ofTypes(grains(), types_));
@@ -185,18 +206,12 @@ bool Foam::functionObjects::displacedGrains::sample()
             sums[k + 1] += V;
             sums[k + 2] += V*U;
         }
+        addTo(left, r);
+    }
 
-        forAll(sections_, i)
-        {
-            if
-            (
-                (bedTypes_.empty() || bedTypes_.found(r.type))
-             && mag(frame_.x(r.origin) - sections_[i]) <= sectionWidth_/2
-            )
-            {
-                left[i] += V;
-            }
-        }
+    for (const grainOrigins::record& r : origins_.gone())
+    {
+        addTo(left, r);
     }
 
     // Before the time from which a run may go on

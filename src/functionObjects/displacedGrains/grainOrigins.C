@@ -12,6 +12,7 @@
 
 #include <fstream>
 #include <iomanip>
+#include <sstream>
 
 Foam::grainOrigins::grainOrigins(const polyMesh& mesh)
 :
@@ -40,6 +41,7 @@ Foam::DynamicList<Foam::grainOrigins::record> Foam::grainOrigins::of
         );
     }
 
+    ++looks_;
     DynamicList<record> mine;
     for (const List<record>& some : swapLists(toRanks))
     {
@@ -49,11 +51,12 @@ Foam::DynamicList<Foam::grainOrigins::record> Foam::grainOrigins::of
             {
                 origins_.insert
                 (
-                    r.id, Tuple2<point, scalar>(r.x, clock_.value())
+                    r.id, origin{r.x, clock_.value(), r.d, r.type}
                 );
                 grown_ = true;
             }
-            r.origin = origins_[r.id].first();
+            origins_[r.id].look = looks_;
+            r.origin = origins_[r.id].x;
             r.displacement = images_.shortest(r.x - r.origin);
             mine.append(r);
         }
@@ -63,23 +66,42 @@ Foam::DynamicList<Foam::grainOrigins::record> Foam::grainOrigins::of
 }
 
 
+Foam::DynamicList<Foam::grainOrigins::record> Foam::grainOrigins::gone() const
+{
+    DynamicList<record> away;
+    forAllConstIters(origins_, iter)
+    {
+        const origin& o = iter.val();
+        if (o.look != looks_ && o.since <= now())
+        {
+            away.append
+            (
+                record{iter.key(), o.type, o.x, Zero, o.d, o.x, Zero}
+            );
+        }
+    }
+
+    return away;
+}
+
+
 void Foam::grainOrigins::write(const fileName& file)
 {
-    const labelList ids(origins_.sortedToc());
-    pointField places(ids.size());
-    scalarField times(ids.size());
-    forAll(ids, i)
+    std::ostringstream mine;
+    mine << std::setprecision(17);
+    for (const label id : origins_.sortedToc())
     {
-        places[i] = origins_[ids[i]].first();
-        times[i] = origins_[ids[i]].second();
+        const origin& o = origins_[id];
+        mine<< id << ' ' << o.x.x() << ' ' << o.x.y() << ' ' << o.x.z() << ' '
+            << o.since << ' ' << o.d << ' ' << o.type << '\n';
     }
-    const label n = returnReduce(ids.size(), sumOp<label>());
+    const label n = returnReduce(origins_.size(), sumOp<label>());
     grown_ = false;
 
     if (!Pstream::master())
     {
         OPstream(Pstream::commsTypes::scheduled, Pstream::masterNo())()
-            << ids << places << times;
+            << string(mine.str());
         return;
     }
 
@@ -87,27 +109,10 @@ void Foam::grainOrigins::write(const fileName& file)
     const fileName aside(file + ".incomplete");
     std::ofstream os(aside);
     os  << std::setprecision(17) << time << ' ' << d << ' ' << n << '\n';
-    const auto add = [&]
-    (
-        const labelList& numbers,
-        const pointField& at,
-        const scalarField& since
-    )
-    {
-        forAll(numbers, i)
-        {
-            os  << numbers[i] << ' ' << at[i].x() << ' ' << at[i].y() << ' '
-                << at[i].z() << ' ' << since[i] << '\n';
-        }
-    };
-
-    add(ids, places, times);
+    os  << mine.str();
     for (label rank = 1; rank < Pstream::nProcs(); ++rank)
     {
-        IPstream is(Pstream::commsTypes::scheduled, rank);
-        const labelList numbers(is);
-        const pointField at(is);
-        add(numbers, at, scalarField(is));
+        os  << string(IPstream(Pstream::commsTypes::scheduled, rank)());
     }
 
     os.close();
@@ -120,6 +125,13 @@ void Foam::grainOrigins::write(const fileName& file)
 }
 
 
+Foam::scalar Foam::grainOrigins::now() const
+{
+    // Half a step: a time folder's name has fewer digits than the time
+    return clock_.value() + clock_.deltaTValue()/2;
+}
+
+
 void Foam::grainOrigins::readGrains
 (
     std::istream& is,
@@ -127,29 +139,32 @@ void Foam::grainOrigins::readGrains
     const fileName& file
 )
 {
-    // Half a step: a time folder's name has fewer digits than the time. Written
-    // times are all looked at, and a later grain is not seen before its time
-    const scalar now =
-        functionObject::postProcess
-      ? GREAT : clock_.value() + clock_.deltaTValue()/2;
+    // Written times are all looked at, and a later grain is not seen before its time
+    const scalar last = functionObject::postProcess ? GREAT : now();
 
     for (label i = 0; i < n; ++i)
     {
         label id = -1;
-        point p;
-        scalar since = 0;
+        origin o;
 
-        if (!(is >> id >> p.x() >> p.y() >> p.z() >> since))
+        if
+        (
+           !(
+                is >> id >> o.x.x() >> o.x.y() >> o.x.z() >> o.since >> o.d
+                   >> o.type
+            )
+        )
         {
             FatalErrorInFunction
                 << file << " has " << i << " of the " << n
-                << " grains that its first line tells of." << nl
+                << " grains that its first line tells of: it was cut off, or is of"
+                << " an earlier version without diameters and types." << nl
                 << "    Bring back the whole file; or remove it, and displacements"
                 << " are those from now on." << exit(FatalError);
         }
-        if (id % Pstream::nProcs() == Pstream::myProcNo() && since <= now)
+        if (id % Pstream::nProcs() == Pstream::myProcNo() && o.since <= last)
         {
-            origins_.set(id, Tuple2<point, scalar>(p, since));
+            origins_.set(id, o);
         }
     }
 }
