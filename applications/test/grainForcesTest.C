@@ -251,8 +251,12 @@ TEST(grainForces, areNoneInAnyCellWhereGrainsMoveWithTheFluidAroundThem)
         fluid.rho[cell] = 1000 + 100*at[cell].x();
     }
 
-    const vectorField momentum(pores.mapping().gather(vectorField(fluid.rho*fluid.U)));
-    const scalarField rho(pores.mapping().gather(fluid.rho));
+    const particleMeshMapping& mapping = pores.mapping();
+    const vectorField momentum
+    (
+        mapping.gather(vectorField(fluid.rho*fluid.U))
+    );
+    const scalarField rho(mapping.gather(fluid.rho));
     forAll(momentum, i)
     {
         phase.grains.U[exchange.grains()[i].id] = momentum[i]/rho[i];
