@@ -3,6 +3,25 @@
 
 #include "pointWalls.H"
 
+namespace
+{
+    using namespace Foam;
+
+    //- Bring the velocity of a node closer to the one wanted by at most a loss
+    void brake(lanes& node, const lanes& wanted, const scalar most)
+    {
+        const lanes way(wanted - node);
+        const scalar speed =
+            std::sqrt(sqr(way[1]) + sqr(way[2]) + sqr(way[3]));
+
+        if (speed > 0)
+        {
+            node = wanted - (1 - min(most, speed)/speed)*way;
+        }
+    }
+}
+
+
 Foam::pointWalls::pointWalls(const pointGrid& grid)
 :
     grid_(grid),
@@ -76,6 +95,22 @@ void Foam::pointWalls::addFace(const label wall, const pointField& corners)
 }
 
 
+Foam::lanes Foam::pointWalls::wanted
+(
+    const nodeLanes& nodes,
+    const heldNode& held
+) const
+{
+    if (held.mirror < 0 || nodes[held.mirror][0] <= 0)
+    {
+        return lanes::Zero();
+    }
+
+    const lanes& before = nodes[held.mirror];
+    return (before*held.normal).sum()*held.normal - before;
+}
+
+
 void Foam::pointWalls::apply
 (
     nodeLanes& nodes,
@@ -98,15 +133,7 @@ void Foam::pointWalls::apply
         }
 
         node -= inwards*held.normal;
-
-        const scalar speed =
-            std::sqrt(sqr(node[1]) + sqr(node[2]) + sqr(node[3]));
-        const scalar loss = min(-friction[held.wall]*inwards, speed);
-
-        if (speed > 0)
-        {
-            node *= 1 - loss/speed;
-        }
+        brake(node, wanted(nodes, held), -friction[held.wall]*inwards);
         node[0] = before[0];
 
         if (!counts)
@@ -115,7 +142,7 @@ void Foam::pointWalls::apply
         }
 
         given_[body][i] += before[0]*(node - before);
-        if (grid_.owns(held.node))
+        if (held.counted)
         {
             vector& impulse = impulse_[held.wall];
             for (label k = 0; k < grid_.nDims(); ++k)

@@ -167,6 +167,7 @@ void Foam::pointWalls::findNodes()
         isHeld_[node] = held_.size() > begin;
     }
 
+    findMirrors();
     findBarriers();
     facets_.clear();
     resetImpulse();
