@@ -312,15 +312,14 @@ TEST(misfitUnknown, noiseAloneLeavesTheCorrectionZero)
     {
         correctedWorld w({}, {}, seed);
         study asked(w, set);
-        models m(asked);
-        m.addRuns(asked, parameterDesign(asked.bounds));
-        m.build(asked);
+        asked.addRuns(parameterDesign(asked.bounds));
+        asked.build();
         label runs = 0;
         const correctionFound c
         (
             fitCorrection
             (
-                asked, m, m.calibration->score(set.modelDiscrepancy).base(), {}, runs
+                asked, asked.calibration->score(set.modelDiscrepancy).base(), {}, runs
             )
         );
         EXPECT_TRUE(c.elements.empty()) << describe(c);

@@ -3,23 +3,15 @@
 
 #include "correcting.H"
 
-Foam::misfit::correcting::correcting
-(
-    const study& whole,
-    const models& all,
-    const scored& calibrated
-)
+Foam::misfit::correcting::correcting(const study& whole, const scored& calibrated)
 :
     s(whole.ofCorrection()),
-    m(s),
     base(calibrated),
     white(base.covariance),
     atBase(vec::Zero(s.bounds.mean.size()))
 {
     const label nP = s.bounds.nParameters;
     atBase.head(nP) = base.best.x.head(nP);
-    m.calibration = all.calibration->withVariables(s.bounds);
-    m.validation = all.validation->withVariables(s.bounds);
     found.asked = true;
 }
 
@@ -34,17 +26,17 @@ Foam::misfit::scored Foam::misfit::correcting::fit
     w.what.combination = combination;
     w.number = number;
     w.covariance = base.covariance;
-    return m.calibration->score(s.set.modelDiscrepancy).again(w, white);
+    return s.calibration->score(s.set.modelDiscrepancy).again(w, white);
 }
 
 
 Foam::misfit::refitted
 Foam::misfit::correcting::compute(const scored& start)
 {
-    refitted r(refit(s, *m.calibration, start, &white));
+    refitted r(refit(s, start, &white));
     if (r.failure.size())
     {
-        const computed said(onSurface(m, r.best));
+        const computed said(onSurface(s, r.best));
         r.variables = said.variables;
         r.given = said.given;
     }

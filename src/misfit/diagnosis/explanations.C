@@ -92,7 +92,7 @@ Foam::misfit::explanations::find(const hypothesis& h) const
 
 Foam::misfit::computed Foam::misfit::explanations::lookUp
 (
-    const models& m,
+    const study& s,
     const scored& w
 ) const
 {
@@ -100,7 +100,7 @@ Foam::misfit::computed Foam::misfit::explanations::lookUp
     {
         return *found;
     }
-    return onSurface(m, w);
+    return onSurface(s, w);
 }
 
 
@@ -129,15 +129,15 @@ void Foam::misfit::explanations::forget(const hypothesis& h)
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 Foam::misfit::computed
-Foam::misfit::onSurface(const models& m, const scored& w)
+Foam::misfit::onSurface(const study& s, const scored& w)
 {
     computed c;
     c.what = w.what;
-    c.variables = m.calibration->model(w.what).expand(w.best.x);
+    c.variables = s.calibration->model(w.what).expand(w.best.x);
     c.given.calibration = w.best.f;
-    if (m.validation->size())
+    if (s.validation->size())
     {
-        c.given.validation = m.validation->surface()(c.variables);
+        c.given.validation = s.validation->surface()(c.variables);
     }
     return c;
 }

@@ -24,7 +24,7 @@ bool computeSensitivities(correcting& c)
     {
         design.insert(design.end(), more.begin(), more.end());
     }
-    const List<samples> given(c.m.addRuns(c.s, design));
+    const List<samples> given(c.s.addRuns(design));
     forAll(c.elements(), i)
     {
         if (!given[i + 1].ok())
@@ -34,7 +34,7 @@ bool computeSensitivities(correcting& c)
     }
     c.given = given.first();
     c.found.failure = c.given.failure;
-    c.m.build(c.s);
+    c.s.build();
     return c.given.ok();
 }
 
@@ -174,9 +174,9 @@ void test
 {
     correctionFound& found = c.found;
     found.after = r.best.best.f;
-    found.left = scanResidual(c.s, *c.m.calibration, r.best).p;
+    found.left = scanResidual(c.s, r.best).p;
     found.isEnough = found.left >= c.s.set.adequacy;
-    compareHere(c.s, c.given, r.given, c.m.validation->uncertainty(), found.held);
+    compareHere(c.s, c.given, r.given, c.s.validation->uncertainty(), found.held);
     label asked = 0;
     label held = 0;
     for (label i = 1; i < c.s.experiments.size(); ++i)
@@ -223,14 +223,13 @@ void nameLaw(const settings& set, finding& f)
 Foam::misfit::correctionFound Foam::misfit::fitCorrection
 (
     const study& s,
-    const models& m,
     const scored& base,
     const std::map<word, covariance>& known,
     label& runs
 )
 {
     Info<< "Free correction" << endl;
-    correcting c(s, m, base);
+    correcting c(s, base);
     correctionFound& found = c.found;
     if (computeSensitivities(c))
     {
@@ -251,7 +250,6 @@ Foam::misfit::correctionFound Foam::misfit::fitCorrection
 void Foam::misfit::correct
 (
     const study& s,
-    const models& m,
     const std::map<word, covariance>& known,
     finding& f
 )
@@ -265,7 +263,7 @@ void Foam::misfit::correct
         return;
     }
     f.correction =
-        fitCorrection(s, m, f.explained.baseline(), known, f.nRuns);
+        fitCorrection(s, f.explained.baseline(), known, f.nRuns);
     const correctionFound& found = f.correction;
     if (found.after.size())
     {

@@ -16,8 +16,6 @@ struct asked
 {
     const study& s;
 
-    const models& m;
-
     const std::vector<int>& mechanisms;
 
     finding& f;
@@ -49,7 +47,7 @@ scalar gainAlone(const asked& a)
 {
     if (a.what().mechanisms.size())
     {
-        return statistics::gain(*a.m.calibration, a.what(), a.set().modelDiscrepancy);
+        return statistics::gain(*a.s.calibration, a.what(), a.set().modelDiscrepancy);
     }
     for (const scored& w : a.f.explained.all())
     {
@@ -111,7 +109,7 @@ gate adequacyGate(const asked& a)
     gate g
     (
         gateKind::adequacy,
-        scanResidual(a.s, *a.m.calibration, a.f.best()).p,
+        scanResidual(a.s, a.f.best()).p,
         a.set().adequacy
     );
     const bool isMostlyUnknown =
@@ -125,7 +123,7 @@ gate adequacyGate(const asked& a)
 scored winnerWithout(const asked& a, const label channel)
 {
     const scored& best = a.f.best();
-    const auto rest(a.m.calibration->without(channel, a.s.width));
+    const auto rest(a.s.calibration->without(channel, a.s.width));
     const std::vector<scored> all
     (
         rest->score(a.set().modelDiscrepancy).all
@@ -165,7 +163,7 @@ scored winnerWithout(const asked& a, const label channel)
 //  is one of the winners
 gate stabilityGate(const asked& a)
 {
-    const std::vector<segment>& channels = a.m.calibration->data().segments;
+    const std::vector<segment>& channels = a.s.calibration->data().segments;
     const bool applies = channels.size() > 1 && a.what().mechanisms.size();
     const label n = applies ? count(channels) : 0;
     wordList lost;
@@ -201,7 +199,7 @@ gate placeboGate(const asked& a)
     // What held-out data confirm was seen at other times and places indeed
     const statistics::placebo placebo
     (
-        *a.m.calibration, a.f.explained.baseline(), a.f.best(),
+        *a.s.calibration, a.f.explained.baseline(), a.f.best(),
         a.set().modelDiscrepancy,
         isConfirmed(a.f.held, a.set()) ? -1 : a.set().lastingEffect
     );
@@ -218,14 +216,13 @@ gate placeboGate(const asked& a)
 std::map<Foam::word, Foam::misfit::covariance> Foam::misfit::askGates
 (
     study& s,
-    const models& m,
     const std::vector<int>& mechanisms,
     finding& f
 )
 {
     Info<< "Gates" << endl;
     const settings& set = s.set;
-    asked a{s, m, mechanisms, f};
+    asked a{s, mechanisms, f};
     f.gates.add({gateKind::detection, f.detection.p, set.significance});
     f.gates.addNothing(gateKind::computed);
     const bool detected = f.gates.passed(gateKind::detection);
@@ -247,7 +244,7 @@ std::map<Foam::word, Foam::misfit::covariance> Foam::misfit::askGates
     (
         predictHeldOut
         (
-            s, m, f.explained,
+            s, f.explained,
             a.what().isNone() || blamesOneSensor(a.what())
          || !f.gates.passed(gateKind::evidence)
         )
@@ -262,7 +259,7 @@ std::map<Foam::word, Foam::misfit::covariance> Foam::misfit::askGates
         g.failure = failed.why;
         f.gates.add(g);
     }
-    askHeldOut(s, m, f.best(), f.held, f.gates);
+    askHeldOut(s, f.best(), f.held, f.gates);
     if (detected)
     {
         f.gates.add(stabilityGate(a));

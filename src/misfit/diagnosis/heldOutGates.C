@@ -61,7 +61,6 @@ gate heldOutGate
 gate degradesHeldOutGate
 (
     const study& s,
-    const models& m,
     const scored& best,
     const heldOut& h,
     const label number
@@ -75,7 +74,7 @@ gate degradesHeldOutGate
         worse
       ? statistics::chanceOfDegradation
         (
-            *m.calibration, *m.validation, best, h.before, h.after,
+            *s.calibration, *s.validation, best, h.before, h.after,
             s.set.modelDiscrepancy
         )
       : 1,
@@ -117,7 +116,6 @@ bool Foam::misfit::isConfirmed(const List<heldOut>& held, const rules& limits)
 void Foam::misfit::askHeldOut
 (
     const study& s,
-    const models& m,
     const scored& best,
     const List<heldOut>& held,
     gateList& gates
@@ -136,7 +134,7 @@ void Foam::misfit::askHeldOut
         }
         if (held[i].what == heldOut::part::validation)
         {
-            gates.add(degradesHeldOutGate(s, m, best, held[i], i));
+            gates.add(degradesHeldOutGate(s, best, held[i], i));
         }
     }
 }

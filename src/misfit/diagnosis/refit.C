@@ -12,15 +12,9 @@ using namespace Foam;
 using namespace Foam::misfit;
 
 //- Computes an explanation and notes what the solver gave
-scored computedAnew
-(
-    study& s,
-    const models& m,
-    explanations& e,
-    const scored& w
-)
+scored computedAnew(study& s, explanations& e, const scored& w)
 {
-    const refitted r(refit(s, *m.calibration, w));
+    const refitted r(refit(s, w));
     e.forget(w.what);
     if (r.failure.empty())
     {
@@ -30,7 +24,7 @@ scored computedAnew
 }
 
 
-void preferAmongRivals(const study& s, const models& m, explanations& e)
+void preferAmongRivals(const study& s, explanations& e)
 {
     e.sort();
 
@@ -52,7 +46,7 @@ void preferAmongRivals(const study& s, const models& m, explanations& e)
         what.fault && what.fault->kind == faultKind::swapped;
     const bool whole =
         (what.mechanisms.size() || exchanged) && !what.unknown;
-    if (whole && scanResidual(s, *m.calibration, e.best()).p < s.set.adequacy)
+    if (whole && scanResidual(s, e.best()).p < s.set.adequacy)
     {
         hypothesis part(what);
         part.unknown = true;
@@ -132,12 +126,11 @@ Foam::misfit::refitted Foam::misfit::refit
 Foam::misfit::refitted Foam::misfit::refit
 (
     study& s,
-    const sampledModel& surface,
     const scored& start,
     const whitener* white
 )
 {
-    const auto local(surface.copy());
+    const auto local(s.calibration->copy());
     const auto score = [&]()
     {
         return local->score(s.set.modelDiscrepancy);
@@ -167,7 +160,7 @@ Foam::misfit::refitted Foam::misfit::refit
 }
 
 
-void Foam::misfit::refitBest(study& s, const models& m, explanations& e)
+void Foam::misfit::refitBest(study& s, explanations& e)
 {
     Info<< "Refit of the best explanations" << endl;
     std::vector<scored>& all = e.all();
@@ -179,7 +172,7 @@ void Foam::misfit::refitBest(study& s, const models& m, explanations& e)
     {
         if (i < n || all[i].what.isNone())
         {
-            first.push_back(m.calibration->model(all[i].what).expand(all[i].best.x));
+            first.push_back(s.calibration->model(all[i].what).expand(all[i].best.x));
         }
     }
     s.means(first);
@@ -190,7 +183,7 @@ void Foam::misfit::refitBest(study& s, const models& m, explanations& e)
     {
         if (w.what.isNone())
         {
-            w = computedAnew(s, m, e, w);
+            w = computedAnew(s, e, w);
             done.push_back(w.what);
         }
     }
@@ -208,31 +201,25 @@ void Foam::misfit::refitBest(study& s, const models& m, explanations& e)
             break;
         }
         done.push_back(all[i].what);
-        all[i] = computedAnew(s, m, e, all[i]);
+        all[i] = computedAnew(s, e, all[i]);
     }
     e.sort();
 }
 
 
-void Foam::misfit::prefer
-(
-    study& s,
-    const models& m,
-    explanations& e,
-    const bool detected
-)
+void Foam::misfit::prefer(study& s, explanations& e, const bool detected)
 {
     std::vector<hypothesis> tried;
     for (label n = 0; n < s.set.refit + 2; ++n)
     {
-        preferAmongRivals(s, m, e);
+        preferAmongRivals(s, e);
         const hypothesis what(e.best().what);
         if (!detected || e.find(what) || statistics::contains(tried, what))
         {
             return;
         }
         tried.push_back(what);
-        e.all().front() = computedAnew(s, m, e, e.best());
+        e.all().front() = computedAnew(s, e, e.best());
     }
-    preferAmongRivals(s, m, e);
+    preferAmongRivals(s, e);
 }

@@ -40,12 +40,18 @@ Foam::misfit::study::study(sampler& s, const settings& set)
         bounds.upper[bounds.nParameters + i] = set.candidates[i].upper;
         width[bounds.nParameters + i] = set.candidates[i].strong;
     }
+    const auto model = [&](const stacked& recorded)
+    {
+        return std::make_unique<sampledModel>(recorded, bounds, set.clockUncertainty);
+    };
+    calibration = model(data().calibration);
+    validation = model(data().validation);
 }
 
 
 Foam::misfit::study Foam::misfit::study::ofCorrection() const
 {
-    study other(*this);
+    study other(ask, set);
     other.setVariables(namesOfAll(set.correction));
     forAll(set.correction, i)
     {
@@ -55,7 +61,8 @@ Foam::misfit::study Foam::misfit::study::ofCorrection() const
         other.bounds.lower[k] = -4*size;
         other.bounds.upper[k] = 4*size;
     }
-    other.nRuns = 0;
+    other.calibration = calibration->withVariables(other.bounds);
+    other.validation = validation->withVariables(other.bounds);
     return other;
 }
 
@@ -116,26 +123,10 @@ void Foam::misfit::study::leaveOut(const runState& s, const string& why)
 }
 
 
-Foam::misfit::models::models(const study& s)
-:
-    calibration
-    (
-        new sampledModel
-        (
-            s.data().calibration, s.bounds, s.set.clockUncertainty
-        )
-    ),
-    validation
-    (
-        new sampledModel(s.data().validation, s.bounds, s.set.clockUncertainty)
-    )
-{}
-
-
 Foam::List<Foam::misfit::samples>
-Foam::misfit::models::addRuns(study& s, const std::vector<vec>& variables)
+Foam::misfit::study::addRuns(const std::vector<vec>& variables)
 {
-    const List<samples> given(s.means(variables));
+    const List<samples> given(means(variables));
     forAll(given, i)
     {
         if (given[i].ok())

@@ -6,11 +6,11 @@
 void Foam::misfit::tellApart
 (
     const study& s,
-    const sampledModel& calibration,
     const std::vector<int>& mechanisms,
     finding& f
 )
 {
+    const sampledModel& calibration = *s.calibration;
     const scored& base = f.explained.baseline();
     const hypothesisModel model(calibration.model(base.what));
     const vec at = model.expand(base.best.x);
@@ -53,7 +53,6 @@ void Foam::misfit::tellApart
 Foam::misfit::advice Foam::misfit::measurementBetween
 (
     const study& s,
-    const models& m,
     const explanations& e,
     const std::vector<scored>& rivals
 )
@@ -64,7 +63,7 @@ Foam::misfit::advice Foam::misfit::measurementBetween
     {
         if (two.size() < 2 && !w.what.isNone() && !w.what.isOnlyUnknown())
         {
-            two.push_back(e.lookUp(m, w));
+            two.push_back(e.lookUp(s, w));
         }
     }
     if (two.size() < 2)
