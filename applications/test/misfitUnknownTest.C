@@ -319,7 +319,7 @@ TEST(misfitUnknown, noiseAloneLeavesTheCorrectionZero)
         (
             fitCorrection
             (
-                asked, asked.calibration->score(set.modelDiscrepancy).base(), {}, runs
+                asked, asked.calibration.score().base(), {}, runs
             )
         );
         EXPECT_TRUE(c.elements.empty()) << describe(c);

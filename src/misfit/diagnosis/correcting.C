@@ -26,7 +26,7 @@ Foam::misfit::scored Foam::misfit::correcting::fit
     w.what.combination = combination;
     w.number = number;
     w.covariance = base.covariance;
-    return s.calibration->score(s.set.modelDiscrepancy).again(w, white);
+    return s.calibration.score().again(w, white);
 }
 
 

@@ -44,7 +44,7 @@ std::vector<int> alwaysFailing
 //  fitted samples: a column for each
 mat shapes(const study& s, const scored& base)
 {
-    const sampledModel& calibration = *s.calibration;
+    const sampledModel& calibration = s.calibration;
     mat changes(calibration.size(), 0);
     const auto add = [&changes](const vec& change)
     {
@@ -132,7 +132,7 @@ Foam::misfit::scanned Foam::misfit::scanResidual
     const mat& shapes
 )
 {
-    const sampledModel& m = *s.calibration;
+    const sampledModel& m = s.calibration;
     const hypothesisModel model(m.model(w.what));
     const mat slopes = model.slopes(w.best.x);
     const vec deviation = model.deviation();
@@ -164,13 +164,13 @@ Foam::misfit::scored Foam::misfit::detect
 {
     Info<< "Detection" << endl;
     const settings& set = s.set;
-    const stacked& data = s.calibration->data();
-    const vec atMean = s.calibration->surface()(s.bounds.mean);
-    const whitener white(s.calibration->uncertainty().at(atMean));
+    const stacked& data = s.calibration.data();
+    const vec atMean = s.calibration.surface()(s.bounds.mean);
+    const whitener white(s.calibration.uncertainty().at(atMean));
     const statistics::scan raw(data, white, set.draws, set.seed);
     f.raw = raw(data.y - atMean, set.significance);
 
-    const scored base(s.calibration->score(set.modelDiscrepancy).base());
+    const scored base(s.calibration.score().base());
     forAll(set.parameters, i)
     {
         const parameter& p = set.parameters[i];
@@ -199,7 +199,7 @@ Foam::misfit::scored Foam::misfit::detect
     f.located = placed(clear, data, misfit);
     f.data = data;
     f.sigma = base.covariance.diagonal().cwiseSqrt();
-    f.sources = s.calibration->uncertainty().sources(base.best.f);
+    f.sources = s.calibration.uncertainty().sources(base.best.f);
     return base;
 }
 
@@ -217,7 +217,7 @@ std::vector<Foam::misfit::place> Foam::misfit::locateNamed
 )
 {
     // What is left counts, too: nature's formula may be another one
-    const stacked& data = s.calibration->data();
+    const stacked& data = s.calibration.data();
     const scalar share = s.set.residualShare;
     const vec explained =
         (1 - share)*(f.after - f.before) + share*(data.y - f.before);

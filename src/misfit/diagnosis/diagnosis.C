@@ -62,10 +62,10 @@ finding diagnosed(sampler& ask, const settings& set)
     Info<< "Sensors and mechanisms" << endl;
     f.explained = explanations
     (
-        s.calibration->score(set.modelDiscrepancy).all
+        s.calibration.score().all
         (
             candidates.left,
-            possibleFaults(s.calibration->data(), set.faults),
+            possibleFaults(s.calibration.data(), set.faults),
             set.pairs
         )
     );
@@ -128,12 +128,12 @@ Foam::misfit::visible(sampler& ask, const settings& set)
     const vec& mean = s.bounds.mean;
     const label nP = s.bounds.nParameters;
     visibility v;
-    v.sensors = covariance(s.calibration->data(), 0).at(s.calibration->data().y);
-    v.all = s.calibration->uncertainty().at(s.calibration->surface()(mean));
+    v.sensors = covariance(s.calibration.data(), 0).at(s.calibration.data().y);
+    v.all = s.calibration.uncertainty().at(s.calibration.surface()(mean));
     v.calibrated = statistics::withFitted
     (
         v.all,
-        s.calibration->surface().slopes(mean).leftCols(nP),
+        s.calibration.surface().slopes(mean).leftCols(nP),
         s.bounds.deviation.head(nP)
     );
     return v;

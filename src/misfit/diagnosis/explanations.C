@@ -133,11 +133,11 @@ Foam::misfit::onSurface(const study& s, const scored& w)
 {
     computed c;
     c.what = w.what;
-    c.variables = s.calibration->model(w.what).expand(w.best.x);
+    c.variables = s.calibration.model(w.what).expand(w.best.x);
     c.given.calibration = w.best.f;
-    if (s.validation->size())
+    if (s.validation.size())
     {
-        c.given.validation = s.validation->surface()(c.variables);
+        c.given.validation = s.validation.surface()(c.variables);
     }
     return c;
 }

@@ -176,7 +176,7 @@ void test
     found.after = r.best.best.f;
     found.left = scanResidual(c.s, r.best).p;
     found.isEnough = found.left >= c.s.set.adequacy;
-    compareHere(c.s, c.given, r.given, c.s.validation->uncertainty(), found.held);
+    compareHere(c.s, c.given, r.given, c.s.validation.uncertainty(), found.held);
     label asked = 0;
     label held = 0;
     for (label i = 1; i < c.s.experiments.size(); ++i)

@@ -47,7 +47,7 @@ scalar gainAlone(const asked& a)
 {
     if (a.what().mechanisms.size())
     {
-        return statistics::gain(*a.s.calibration, a.what(), a.set().modelDiscrepancy);
+        return statistics::gain(a.s.calibration, a.what());
     }
     for (const scored& w : a.f.explained.all())
     {
@@ -123,13 +123,13 @@ gate adequacyGate(const asked& a)
 scored winnerWithout(const asked& a, const label channel)
 {
     const scored& best = a.f.best();
-    const auto rest(a.s.calibration->without(channel, a.s.width));
+    const sampledModel rest(a.s.calibration.without(channel));
     const std::vector<scored> all
     (
-        rest->score(a.set().modelDiscrepancy).all
+        rest.score().all
         (
             a.mechanisms,
-            possibleFaults(rest->data(), a.set().faults),
+            possibleFaults(rest.data(), a.set().faults),
             best.what.mechanisms.size() > 1
         )
     );
@@ -163,7 +163,7 @@ scored winnerWithout(const asked& a, const label channel)
 //  is one of the winners
 gate stabilityGate(const asked& a)
 {
-    const std::vector<segment>& channels = a.s.calibration->data().segments;
+    const std::vector<segment>& channels = a.s.calibration.data().segments;
     const bool applies = channels.size() > 1 && a.what().mechanisms.size();
     const label n = applies ? count(channels) : 0;
     wordList lost;
@@ -199,8 +199,7 @@ gate placeboGate(const asked& a)
     // What held-out data confirm was seen at other times and places indeed
     const statistics::placebo placebo
     (
-        *a.s.calibration, a.f.explained.baseline(), a.f.best(),
-        a.set().modelDiscrepancy,
+        a.s.calibration, a.f.explained.baseline(), a.f.best(),
         isConfirmed(a.f.held, a.set()) ? -1 : a.set().lastingEffect
     );
     gate g(gateKind::placebo, placebo.gain, a.set().placebo*a.alone);

@@ -74,8 +74,7 @@ gate degradesHeldOutGate
         worse
       ? statistics::chanceOfDegradation
         (
-            *s.calibration, *s.validation, best, h.before, h.after,
-            s.set.modelDiscrepancy
+            s.calibration, s.validation, best, h.before, h.after
         )
       : 1,
         s.set.significance

@@ -28,7 +28,7 @@ samples withFault
             (
                 recorded.of(use),
                 given.of(use),
-                s.calibration->model(best.what).ofFault(best.best.x)
+                s.calibration.model(best.what).ofFault(best.best.x)
             );
         }
     }
@@ -44,8 +44,8 @@ std::vector<vec> calibrationSteps(const study& s, const scored& base)
     (
         statistics::stepsWithin
         (
-            s.calibration->model(base.what), whitener(base.covariance), base.best.x,
-            s.width.head(s.bounds.nParameters)
+            s.calibration.model(base.what), whitener(base.covariance), base.best.x,
+            s.bounds.width.head(s.bounds.nParameters)
         )
     );
     for (vec& step : steps)
@@ -216,13 +216,13 @@ Foam::misfit::heldOutPredictions Foam::misfit::predictHeldOut
     (
         mayBeNothing ? calibrationSteps(s, e.baseline()) : std::vector<vec>()
     );
-    const stacked& data = s.validation->data();
-    covariance known(data, s.validation->uncertainty());
+    const stacked& data = s.validation.data();
+    covariance known(s.validation.uncertainty());
     mat changes(data.size(), steps.size());
     for (label k = 0; data.size() && k < count(steps); ++k)
     {
         changes.col(k) =
-            s.validation->surface().slopes(before.variables)*steps[k];
+            s.validation.surface().slopes(before.variables)*steps[k];
     }
     known.addDirections("calibration", changes);
     compareHere

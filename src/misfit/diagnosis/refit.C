@@ -130,15 +130,11 @@ Foam::misfit::refitted Foam::misfit::refit
     const whitener* white
 )
 {
-    const auto local(s.calibration->copy());
-    const auto score = [&]()
-    {
-        return local->score(s.set.modelDiscrepancy);
-    };
+    sampledModel local(s.calibration);
     refitting with;
     with.expand = [&](const scored& now)
     {
-        return local->model(now.what).expand(now.best.x);
+        return local.model(now.what).expand(now.best.x);
     };
     with.compute = [&](const vec& x)
     {
@@ -146,17 +142,19 @@ Foam::misfit::refitted Foam::misfit::refit
     };
     with.passThrough = [&](const vec& x, const samples& given)
     {
-        local->passThrough(x, given.calibration);
+        local.passThrough(x, given.calibration);
     };
     with.stay = [&](const scored& now)
     {
-        return white ? score().where(now, *white) : score().where(now);
+        const scoring score(local.score());
+        return white ? score.where(now, *white) : score.where(now);
     };
     with.fit = [&](const scored& now)
     {
-        return white ? score().again(now, *white) : score().withOwnCovariance(now);
+        const scoring score(local.score());
+        return white ? score.again(now, *white) : score.withOwnCovariance(now);
     };
-    return refit(start, s.set, s.width, with);
+    return refit(start, s.set, s.bounds.width, with);
 }
 
 
@@ -172,7 +170,7 @@ void Foam::misfit::refitBest(study& s, explanations& e)
     {
         if (i < n || all[i].what.isNone())
         {
-            first.push_back(s.calibration->model(all[i].what).expand(all[i].best.x));
+            first.push_back(s.calibration.model(all[i].what).expand(all[i].best.x));
         }
     }
     s.means(first);

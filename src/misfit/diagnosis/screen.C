@@ -48,7 +48,7 @@ Foam::misfit::screened Foam::misfit::screen
 )
 {
     Info<< "Screening of the candidates" << endl;
-    const stacked& data = s.calibration->data();
+    const stacked& data = s.calibration.data();
     const whitener white(base.covariance);
     const vec sigma = base.covariance.diagonal().cwiseSqrt();
     std::vector<vec> changes;

@@ -10,7 +10,7 @@ void Foam::misfit::tellApart
     finding& f
 )
 {
-    const sampledModel& calibration = *s.calibration;
+    const sampledModel& calibration = s.calibration;
     const scored& base = f.explained.baseline();
     const hypothesisModel model(calibration.model(base.what));
     const vec at = model.expand(base.best.x);

@@ -172,8 +172,8 @@ void Foam::misfit::addUncertainty(study& s)
     const List<runState> states(uncertaintyRuns(s, s.data().experiment));
     checkBases(s);
     const List<samples> given(s.run(states));
-    mat calibration(s.calibration->size(), 0);
-    mat validation(s.validation->size(), 0);
+    mat calibration(s.calibration.size(), 0);
+    mat validation(s.validation.size(), 0);
     forAll(given, i)
     {
         if (!given[i].ok())
@@ -192,12 +192,12 @@ void Foam::misfit::addUncertainty(study& s)
             const vec ofValidation =
                 given[i].validation - given.first().validation;
             checkChanges(states[i].resolution, ofCalibration, ofValidation);
-            s.calibration->addDifference(states[i].resolution, ofCalibration);
-            s.validation->addDifference(states[i].resolution, ofValidation);
+            s.calibration.addDifference(states[i].resolution, ofCalibration);
+            s.validation.addDifference(states[i].resolution, ofValidation);
         }
     }
     checkSpread(set.replicates, calibration.cols());
     checkReplicates(calibration, validation);
-    s.calibration->addRepeats(calibration, set.commonRandomNumbers);
-    s.validation->addRepeats(validation, set.commonRandomNumbers);
+    s.calibration.addRepeats(calibration, set.commonRandomNumbers);
+    s.validation.addRepeats(validation, set.commonRandomNumbers);
 }

@@ -229,7 +229,7 @@ void setStrengths(const study& s, finding& f)
 runState namedState(const study& s, const finding& f)
 {
     const scored& best = f.best();
-    runState named(s.state(s.calibration->model(best.what).expand(best.best.x)));
+    runState named(s.state(s.calibration.model(best.what).expand(best.best.x)));
     for (const word& name : named.strengths.toc())
     {
         if (!f.names.found(name))
