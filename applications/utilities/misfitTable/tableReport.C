@@ -69,7 +69,7 @@ string ofLabels(const tableCheck& check, const statistics::labelArrangement& lab
             parts.begin(), "the labels " + inWords(from, "and") + " are " + what
         );
     }
-    return joined(parts, "; ", [](const string& part) { return part; });
+    return joined(parts, "; ");
 }
 
 
@@ -268,6 +268,5 @@ std::string Foam::misfit::correctedTable
     {
         rows[i + 1][column] = printed[fault.sources[i] + 1][column];
     }
-    const auto cell = [](const std::string& one) { return one; };
-    return joined(rows, "", [&](const auto& row) { return joined(row, ",", cell) + '\n'; });
+    return joined(rows, "", [&](const auto& row) { return joined(row, ",") + '\n'; });
 }

@@ -36,10 +36,9 @@ void addHeld(json& facts, const correctionFound& c)
             gone.push_back(share + " % at " + describe(h));
         }
     }
-    const auto one = [](const string& words) { return words; };
     facts["held"] = c.held.size() > 0;
-    facts["gone"] = joined(gone, ", ", one);
-    facts["worse"] = joined(worse, " and ", one);
+    facts["gone"] = joined(gone, ", ");
+    facts["worse"] = joined(worse, " and ");
 }
 
 } // End anonymous namespace

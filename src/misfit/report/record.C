@@ -25,20 +25,6 @@ json deviation(const scalar value, const bool pinned)
 }
 
 
-json asked(const misfit::gate& g, const finding& f)
-{
-    const gateWords words(describe(g, f));
-    return
-    {
-        {"name", gateNames[g.kind]},
-        {"asked", words.asked},
-        {"value", words.value},
-        {"bound", words.bound},
-        {"result", g.applies ? g.passed ? "passed" : "failed" : "none"}
-    };
-}
-
-
 json parameters(const finding& f)
 {
     json all = json::array();
