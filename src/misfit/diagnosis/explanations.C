@@ -35,6 +35,21 @@ void Foam::misfit::explanations::sort()
 }
 
 
+std::vector<const Foam::misfit::scored*> Foam::misfit::explanations::byScore() const
+{
+    std::vector<const scored*> list;
+    for (const scored& w : all_)
+    {
+        list.push_back(&w);
+    }
+    std::stable_sort(list.begin(), list.end(), [](const scored* a, const scored* b)
+    {
+        return a->score < b->score;
+    });
+    return list;
+}
+
+
 void Foam::misfit::explanations::putFirst(const hypothesis& h)
 {
     for (scored& w : all_)

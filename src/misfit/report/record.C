@@ -5,7 +5,6 @@
 #include "report.H"
 #include "words.H"
 
-#include <algorithm>
 #include <cmath>
 
 namespace
@@ -177,20 +176,15 @@ json uncertainty(const finding& f)
 //- Of each explanation, the likeliest first
 json posterior(const finding& f)
 {
-    std::vector<scored> list(f.explained.all());
-    std::stable_sort(list.begin(), list.end(), [](const scored& a, const scored& b)
-    {
-        return a.probability > b.probability;
-    });
     json all = json::array();
-    for (const scored& w : list)
+    for (const scored* w : f.explained.byScore())
     {
-        if (w.probability > 1e-4)
+        if (w->probability > 1e-4)
         {
             all.push_back
             ({
-                {"explanation", describe(w.what, f.library)},
-                {"probability", w.probability}
+                {"explanation", describe(w->what, f.library)},
+                {"probability", w->probability}
             });
         }
     }
