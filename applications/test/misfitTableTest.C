@@ -3,6 +3,7 @@
 
 #include "columnFault.H"
 #include "fpeGuard.H"
+#include "tableColumns.H"
 
 #include <gtest/gtest.h>
 
@@ -307,7 +308,8 @@ TEST(misfitTable, twoExchangedRowsAreFoundWhereTheIdentityIsSharp)
 TEST(misfitTable, aRowIsToldByItsLineInTheFile)
 {
     std::istringstream is("q,x\n1,1\n\n0,2\n");
-    const statistics::tableRows rows = statistics::readRows(is, {"q", "x"});
+    const statistics::textTable text(is);
+    const statistics::tableRows rows{text.columns({"q", "x"}), text.lines};
     EXPECT_EQ(rows.lines, (std::vector<int>{2, 4}));
 
     identity law("q", "x");

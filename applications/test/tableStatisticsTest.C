@@ -27,7 +27,7 @@ vec numbers(const std::initializer_list<double>& all)
 mat columnsOf(const std::string& text)
 {
     std::istringstream is(text);
-    return statistics::readColumns(is, {"x", "y"});
+    return statistics::textTable(is).columns({"x", "y"});
 }
 
 } // End anonymous namespace
