@@ -3,24 +3,6 @@
 
 #include "sampledModel.H"
 
-namespace
-{
-
-using namespace statistics;
-
-mat rowsOf(const mat& m, const std::vector<int>& keep)
-{
-    mat some(keep.size(), m.cols());
-    for (int i = 0; i < count(keep); ++i)
-    {
-        some.row(i) = m.row(keep[i]);
-    }
-    return some;
-}
-
-} // End anonymous namespace
-
-
 statistics::sampledModel::sampledModel
 (
     const stacked& data,
@@ -86,11 +68,11 @@ statistics::sampledModel::without(const int segment) const
     std::vector<int> keep;
     sampledModel rest(*this);
     rest.data_ = data_.without(segment, keep);
-    rest.samples_ = rowsOf(samples_, keep);
-    rest.repeats_ = rowsOf(repeats_, keep);
+    rest.samples_ = samples_(keep, Eigen::all);
+    rest.repeats_ = repeats_(keep, Eigen::all);
     for (std::pair<std::string, vec>& d : rest.differences_)
     {
-        d.second = rows(d.second, keep);
+        d.second = d.second(keep).eval();
     }
     rest.build();
     return rest;

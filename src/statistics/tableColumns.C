@@ -182,16 +182,15 @@ textTable readTable(const std::string& file)
 
 mat completeRows(const mat& table)
 {
-    mat result(table.rows(), table.cols());
-    int n = 0;
+    std::vector<int> complete;
     for (int i = 0; i < table.rows(); ++i)
     {
         if (!table.row(i).hasNaN())
         {
-            result.row(n++) = table.row(i);
+            complete.push_back(i);
         }
     }
-    return result.topRows(n);
+    return table(complete, Eigen::all);
 }
 
 } // End namespace statistics

@@ -104,7 +104,7 @@ explanation explained
     {
         const bool isIt = c == fault.column;
         (isIt ? column : others).col(c) =
-            statistics::moved(table.col(c), isIt ? fault.sources : back);
+            table.col(c)(isIt ? fault.sources : back);
     }
     return {fault, missed(stated, column, names), missed(stated, others, names)};
 }

@@ -4,8 +4,6 @@
 #include "detect.H"
 #include "designs.H"
 
-#include <numeric>
-
 namespace
 {
 
@@ -56,9 +54,7 @@ mat shapes(const study& s, const scored& base)
 
     const vec at = calibration.model(base.what).expand(base.best.x);
     // A weak effect may look otherwise than a strong one, as one that delays
-    std::vector<int> all(s.names.size());
-    std::iota(all.begin(), all.end(), 0);
-    for (const vec& with : s.sensitivityDesign(at, all))
+    for (const vec& with : s.sensitivityDesign(at, statistics::inOrder(s.names.size())))
     {
         add(calibration.surface()(with) - calibration.surface()(at));
     }

@@ -10,7 +10,6 @@
 #include "uncertainty.H"
 #include "verdict.H"
 
-#include <numeric>
 #include <stdexcept>
 
 namespace
@@ -163,8 +162,7 @@ Foam::misfit::plan(sampler& ask, const settings& set)
     }
     else
     {
-        std::vector<int> every(set.candidates.size());
-        std::iota(every.begin(), every.end(), 0);
+        const std::vector<int> every(statistics::inOrder(set.candidates.size()));
         stages.append({"Calibration", replicated(s, parameterDesign(s.bounds))});
         stages.append
         ({
