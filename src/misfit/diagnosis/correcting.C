@@ -30,10 +30,10 @@ Foam::misfit::scored Foam::misfit::correcting::fit
 }
 
 
-Foam::misfit::refitted
+Foam::misfit::computed
 Foam::misfit::correcting::compute(const scored& start)
 {
-    refitted r(refit(s, start, &white));
+    computed r(refit(s, start, &white));
     if (r.failure.size())
     {
         const computed said(onSurface(s, r.best));

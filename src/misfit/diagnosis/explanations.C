@@ -96,7 +96,7 @@ Foam::misfit::explanations::find(const hypothesis& h) const
 {
     for (const computed& c : computed_)
     {
-        if (c.what == h)
+        if (c.best.what == h)
         {
             return &c;
         }
@@ -121,23 +121,20 @@ Foam::misfit::computed Foam::misfit::explanations::lookUp
 
 void Foam::misfit::explanations::note(const computed& c)
 {
-    forget(c.what);
-    computed_.push_back(c);
-}
-
-
-void Foam::misfit::explanations::forget(const hypothesis& h)
-{
     computed_.erase
     (
         std::remove_if
         (
             computed_.begin(),
             computed_.end(),
-            [&h](const computed& c) { return c.what == h; }
+            [&c](const computed& old) { return old.best.what == c.best.what; }
         ),
         computed_.end()
     );
+    if (c.failure.empty())
+    {
+        computed_.push_back(c);
+    }
 }
 
 
@@ -147,7 +144,7 @@ Foam::misfit::computed
 Foam::misfit::onSurface(const study& s, const scored& w)
 {
     computed c;
-    c.what = w.what;
+    c.best = w;
     c.variables = s.calibration.model(w.what).expand(w.best.x);
     c.given.calibration = w.best.f;
     if (s.validation.size())

@@ -83,11 +83,11 @@ scored withOneMore(const correcting& c, labelList& free)
 
 
 //- Elements taken up one after the other
-refitted fitFreely(correcting& c)
+computed fitFreely(correcting& c)
 {
     const settings& set = c.s.set;
     labelList free;
-    refitted r;
+    computed r;
     r.best = fitFree(c, free);
     const scalar none = r.best.score;
 
@@ -128,7 +128,7 @@ bool holdsIn
 (
     correcting& c,
     const observed& other,
-    const refitted& r,
+    const computed& r,
     const covariance& known
 )
 {
@@ -156,8 +156,7 @@ bool holdsIn
         after.ok()
      && compare
         (
-            heldOut::part::experiment, other, other.use, before, after, known, set,
-            held
+            heldOut::part::experiment, other, before, after, known, set, held
         )
      && held.last().squareAfter
      <= max(confirmingSquare(held.last(), set), held.last().limitOfMatch);
@@ -168,7 +167,7 @@ bool holdsIn
 void test
 (
     correcting& c,
-    const refitted& r,
+    const computed& r,
     const std::map<word, covariance>& known
 )
 {
@@ -233,7 +232,7 @@ Foam::misfit::correctionFound Foam::misfit::fitCorrection
     correctionFound& found = c.found;
     if (computeSensitivities(c))
     {
-        const refitted best(followLaws(c, fitFreely(c)));
+        const computed best(followLaws(c, fitFreely(c)));
         if (found.elements.size() || found.explained)
         {
             test(c, best, known);

@@ -187,14 +187,13 @@ void predictIn
     const samples after(withFault(s, e.best(), other, given[1]));
     compare
     (
-        heldOut::part::experiment, other, other.use, given[0], after, known,
-        s.set, all.held
+        heldOut::part::experiment, other, given[0], after, known, s.set, all.held
     );
     if (validates)
     {
         compare
         (
-            heldOut::part::testElsewhere, other, purpose::test, given[0], after,
+            heldOut::part::testElsewhere, other, given[0], after,
             covariance(other.test, s.set.clockUncertainty), s.set, all.held
         );
     }

@@ -14,13 +14,9 @@ using namespace Foam::misfit;
 //- Computes an explanation and notes what the solver gave
 scored computedAnew(study& s, explanations& e, const scored& w)
 {
-    const refitted r(refit(s, w));
-    e.forget(w.what);
-    if (r.failure.empty())
-    {
-        e.note({w.what, r.variables, r.given});
-    }
-    return r.best;
+    const computed c(refit(s, w));
+    e.note(c);
+    return c.best;
 }
 
 
@@ -57,7 +53,7 @@ void preferAmongRivals(const study& s, explanations& e)
 } // End anonymous namespace
 
 
-Foam::misfit::refitted Foam::misfit::refit
+Foam::misfit::computed Foam::misfit::refit
 (
     const scored& start,
     const rules& limits,
@@ -65,7 +61,7 @@ Foam::misfit::refitted Foam::misfit::refit
     const refitting& with
 )
 {
-    refitted r;
+    computed r;
     r.best = start;
     scored least(start);
     scored onward(start);
@@ -77,7 +73,7 @@ Foam::misfit::refitted Foam::misfit::refit
         const samples given(with.compute(x));
         if (!given.ok() && !pass)
         {
-            Info<< "    not refitted: " << given.failure.c_str() << endl;
+            Info<< "    not computed: " << given.failure.c_str() << endl;
             r.failure = given.failure;
             return r;
         }
@@ -123,7 +119,7 @@ Foam::misfit::refitted Foam::misfit::refit
 }
 
 
-Foam::misfit::refitted Foam::misfit::refit
+Foam::misfit::computed Foam::misfit::refit
 (
     study& s,
     const scored& start,

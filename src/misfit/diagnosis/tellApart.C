@@ -76,13 +76,13 @@ Foam::misfit::advice Foam::misfit::measurementBetween
         if (!c.given.possible.size() && possible.size())
         {
             result.what = advice::kind::notRun;
-            result.two = {c.what};
+            result.two = {c.best.what};
             return result;
         }
     }
 
     result.what = advice::kind::elsewhere;
-    result.two = {two[0].what, two[1].what};
+    result.two = {two[0].best.what, two[1].best.what};
     const vec& a = two[0].given.possible;
     const vec& b = two[1].given.possible;
     if (a.size() != possible.size() || b.size() != a.size())
