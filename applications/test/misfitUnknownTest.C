@@ -6,8 +6,7 @@
 #include "diagnosis.H"
 #include "testNumber.H"
 #include "designs.H"
-#include "freeCorrection.H"
-#include "gates.H"
+#include "stages.H"
 #include "words.H"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Calibration, and whether, where and when recording and simulation still part.
 
-#include "detect.H"
+#include "stages.H"
 #include "designs.H"
 
 namespace

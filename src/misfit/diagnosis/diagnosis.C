@@ -3,12 +3,7 @@
 
 #include "diagnosis.H"
 #include "designs.H"
-#include "detect.H"
-#include "freeCorrection.H"
-#include "gates.H"
-#include "refit.H"
-#include "uncertainty.H"
-#include "verdict.H"
+#include "stages.H"
 
 #include <stdexcept>
 

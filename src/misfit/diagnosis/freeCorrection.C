@@ -2,10 +2,9 @@
 // What no candidate explains is fitted by a free correction, and that correction by
 // dimensionless numbers.
 
-#include "freeCorrection.H"
+#include "stages.H"
 #include "correcting.H"
 #include "designs.H"
-#include "detect.H"
 
 #include <cmath>
 

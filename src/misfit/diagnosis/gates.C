@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What an answer must pass: the gates in their order, but for held-out data.
 
-#include "gates.H"
-#include "detect.H"
+#include "stages.H"
 #include "placebo.H"
 
 namespace
@@ -258,7 +257,7 @@ std::map<Foam::word, Foam::misfit::covariance> Foam::misfit::askGates
         g.failure = failed.why;
         f.gates.add(g);
     }
-    askHeldOut(s, f.best(), f.held, f.gates);
+    askHeldOut(s, f);
     if (detected)
     {
         f.gates.add(stabilityGate(a));

@@ -3,7 +3,7 @@
 
 #include "heldOut.H"
 #include "elsewhere.H"
-#include "uncertainty.H"
+#include "stages.H"
 
 namespace
 {

@@ -3,7 +3,7 @@
 // solver and fitted again.
 
 #include "refit.H"
-#include "detect.H"
+#include "stages.H"
 
 namespace
 {

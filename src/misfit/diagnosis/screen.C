@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Candidates that cannot be the cause, before a run is spent on them.
 
-#include "screen.H"
+#include "stages.H"
 
 namespace
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What these channels can tell apart, and what measurement would settle the rest.
 
-#include "verdict.H"
+#include "stages.H"
 
 void Foam::misfit::tellApart
 (
@@ -50,20 +50,16 @@ void Foam::misfit::tellApart
 }
 
 
-Foam::misfit::advice Foam::misfit::measurementBetween
-(
-    const study& s,
-    const explanations& e,
-    const std::vector<scored>& rivals
-)
+Foam::misfit::advice
+Foam::misfit::measurementBetween(const study& s, const finding& f)
 {
     advice result;
     std::vector<computed> two;
-    for (const scored& w : rivals)
+    for (const scored& w : f.alternatives)
     {
         if (two.size() < 2 && !w.what.isNone() && !w.what.isOnlyUnknown())
         {
-            two.push_back(e.lookUp(s, w));
+            two.push_back(f.explained.lookUp(s, w));
         }
     }
     if (two.size() < 2)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far simulation and recording may differ with nothing wrong.
 
-#include "uncertainty.H"
+#include "stages.H"
 
 namespace
 {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The verdict.
 
-#include "verdict.H"
-#include "detect.H"
+#include "stages.H"
 #include "HashSet.H"
 
 #include <algorithm>
@@ -270,7 +269,7 @@ void Foam::misfit::decide(const study& s, finding& f)
     }
     else if (f.verdict == verdictKind::set)
     {
-        f.measure = measurementBetween(s, f.explained, f.alternatives);
+        f.measure = measurementBetween(s, f);
     }
     if (f.strengths.size() && !f.best().what.unknown)
     {
