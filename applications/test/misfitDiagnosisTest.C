@@ -54,7 +54,7 @@ TEST(misfitDiagnosis, aNamedEffectIsLocatedWithoutMostOfTheNoise)
     const world w(20);
     std::vector<int> fitted;
     w.data.without(2, fitted);
-    const vec effect = rows(w(with, 1) - w(truth(-1, 0), 1), fitted);
+    const vec effect = vec(w(with, 1) - w(truth(-1, 0), 1))(fitted);
 
     // F1 of the samples at which what the parameters leave of the effect is
     // beyond two deviations

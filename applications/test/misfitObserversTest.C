@@ -3,7 +3,6 @@
 // before the first.
 
 #include "fakeCase.H"
-#include "placesInMesh.H"
 #include "saidDuring.H"
 #include "testMesh.H"
 

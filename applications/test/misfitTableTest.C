@@ -3,6 +3,7 @@
 
 #include "columnFault.H"
 #include "fpeGuard.H"
+#include "tableColumns.H"
 
 #include <gtest/gtest.h>
 
@@ -124,7 +125,7 @@ void expectFound(mat table, const int column, std::mt19937& random)
     const auto all = factorial.arrangements();
     const rowSources way = factorial.sources(all[random()%all.size()]);
     const vec right = table.col(column);
-    table.col(column) = statistics::moved(right, statistics::inverse(way));
+    table.col(column) = right(statistics::inverse(way));
 
     const outcome found = outcomeOf(table);
     EXPECT_EQ(found.best.kind, columnFaultKind::labels);
@@ -272,12 +273,12 @@ TEST(misfitTable, twoExchangedLabelsAreFoundInASmoothTable)
         std::mt19937 random(seed);
         mat table = smoothTable(random);
         const vec right = table.col(2);
-        table.col(2) = statistics::moved(right, way);
+        table.col(2) = right(way);
 
         const outcome found = outcomeOf(table);
         EXPECT_TRUE(found.named) << "seed " << seed << ": " << found.best.chance;
         EXPECT_EQ(found.best.column, 2);
-        EXPECT_EQ(statistics::moved(table.col(2), found.best.sources), right);
+        EXPECT_EQ(vec(table.col(2)(found.best.sources)), right);
     }
 }
 
@@ -307,7 +308,8 @@ TEST(misfitTable, twoExchangedRowsAreFoundWhereTheIdentityIsSharp)
 TEST(misfitTable, aRowIsToldByItsLineInTheFile)
 {
     std::istringstream is("q,x\n1,1\n\n0,2\n");
-    const statistics::tableRows rows = statistics::readRows(is, {"q", "x"});
+    const statistics::textTable text(is);
+    const statistics::tableRows rows{text.columns({"q", "x"}), text.lines};
     EXPECT_EQ(rows.lines, (std::vector<int>{2, 4}));
 
     identity law("q", "x");

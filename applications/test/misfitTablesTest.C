@@ -2,7 +2,6 @@
 // What a case will not give for its channels, told before any run.
 
 #include "fakeCase.H"
-#include "placesInMesh.H"
 #include "testMesh.H"
 
 using namespace Foam;

@@ -6,8 +6,7 @@
 #include "diagnosis.H"
 #include "testNumber.H"
 #include "designs.H"
-#include "freeCorrection.H"
-#include "gates.H"
+#include "stages.H"
 #include "words.H"
 
 #include <gtest/gtest.h>
@@ -312,15 +311,14 @@ TEST(misfitUnknown, noiseAloneLeavesTheCorrectionZero)
     {
         correctedWorld w({}, {}, seed);
         study asked(w, set);
-        models m(asked);
-        m.addRuns(asked, parameterDesign(asked.bounds));
-        m.build(asked);
+        asked.addRuns(parameterDesign(asked.bounds));
+        asked.build();
         label runs = 0;
         const correctionFound c
         (
             fitCorrection
             (
-                asked, m, m.calibration->score(set.modelDiscrepancy).base(), {}, runs
+                asked, asked.calibration.score().base(), {}, runs
             )
         );
         EXPECT_TRUE(c.elements.empty()) << describe(c);

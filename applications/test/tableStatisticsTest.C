@@ -27,7 +27,7 @@ vec numbers(const std::initializer_list<double>& all)
 mat columnsOf(const std::string& text)
 {
     std::istringstream is(text);
-    return statistics::readColumns(is, {"x", "y"});
+    return statistics::textTable(is).columns({"x", "y"});
 }
 
 } // End anonymous namespace
@@ -192,4 +192,13 @@ TEST(tableStatistics, aTableThatIsWrongIsAnError)
     EXPECT_THROW(columnsOf("x,y\n1,nan\n"), std::invalid_argument);
     EXPECT_THROW(columnsOf("x,y\n1\n"), std::invalid_argument);
     EXPECT_THROW(columnsOf(""), std::invalid_argument);
+    EXPECT_THROW(columnsOf("x;y\n1;2\n"), std::invalid_argument);
+}
+
+
+TEST(tableStatistics, linesOfCommentAreNoRows)
+{
+    mat wanted(1, 2);
+    wanted << 1, 2;
+    EXPECT_EQ(columnsOf("# a table\nx,y\n\n1,2\n# 3,4\n"), wanted);
 }

@@ -2,6 +2,7 @@
 // Diagnoses of the surge in closed form, for the tests of verdicts and gates.
 
 #include "worldDiagnosis.H"
+#include "record.H"
 
 #include <gtest/gtest.h>
 
@@ -54,13 +55,7 @@ void Foam::misfit::show(const finding& f)
     std::printf("%s: %s\n", verdictNames[f.verdict].c_str(), describe(f).c_str());
     for (const gate& g : f.gates)
     {
-        const gateWords words(describe(g, f));
-        std::printf
-        (
-            "  %-15s %-7s %s (%s)\n", gateNames[g.kind].c_str(),
-            g.applies ? g.passed ? "passed" : "failed" : "-",
-            words.value.c_str(), words.bound.c_str()
-        );
+        std::printf("  %s\n", asked(g, f).dump().c_str());
     }
 }
 

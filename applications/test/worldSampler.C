@@ -126,7 +126,7 @@ Foam::misfit::samples Foam::misfit::worldSampler::run(const runState& state)
     {
         std::vector<int> keep;
         world_.data.without(2, keep);
-        s.calibration = rows(f, keep);
+        s.calibration = f(keep);
         if (gaugeBeside_)
         {
             const segment& beside = data_[0].calibration.segments[1];

@@ -98,22 +98,7 @@ void findCovariance
     {
         return;
     }
-    mat some(open.size(), open.size());
-    for (int i = 0; i < count(open); ++i)
-    {
-        for (int j = 0; j < count(open); ++j)
-        {
-            some(i, j) = all(open[i], open[j]);
-        }
-    }
-    const mat inverse = inverted(some);
-    for (int i = 0; i < count(open); ++i)
-    {
-        for (int j = 0; j < count(open); ++j)
-        {
-            at.covariance(open[i], open[j]) = inverse(i, j);
-        }
-    }
+    at.covariance(open, open) = inverted(all(open, open));
 }
 
 

@@ -10,10 +10,7 @@
 statistics::vec statistics::calibration::all(const vec& x) const
 {
     vec result = fixed_;
-    for (int i = 0; i < count(open_); ++i)
-    {
-        result[open_[i]] = x[i];
-    }
+    result(open_) = x;
     return result;
 }
 
@@ -28,10 +25,14 @@ statistics::calibration::calibration
 :
     parameters_(parameters),
     targets_(targets),
-    fixed_(vec::Zero(parameters.size()))
+    fixed_(vec::Zero(parameters.size())),
+    lower_(fixed_),
+    upper_(fixed_)
 {
     for (int i = 0; i < count(parameters); ++i)
     {
+        lower_[i] = parameters[i].lower;
+        upper_[i] = parameters[i].upper;
         if (parameters[i].levels.empty())
         {
             open_.push_back(i);
@@ -65,29 +66,17 @@ std::vector<statistics::vec> statistics::calibration::combinations() const
 }
 
 
-statistics::vec statistics::calibration::wanted() const
+statistics::vec
+statistics::calibration::below(const vec calibrationTarget::* part) const
 {
     vec result;
     for (const calibrationTarget& target : targets_)
     {
         const vec before = result;
-        result.resize(before.size() + target.wanted.size());
-        result << before, target.wanted;
+        result.resize(before.size() + (target.*part).size());
+        result << before, target.*part;
     }
     return result;
-}
-
-
-statistics::mat statistics::calibration::covariance() const
-{
-    vec deviations;
-    for (const calibrationTarget& target : targets_)
-    {
-        const vec before = deviations;
-        deviations.resize(before.size() + target.deviation.size());
-        deviations << before, target.deviation;
-    }
-    return deviations.cwiseAbs2().asDiagonal();
 }
 
 
@@ -130,36 +119,41 @@ statistics::mat statistics::calibration::slopes(const vec& x) const
         vec variables(nConditions + parameters_.size());
         variables << target.conditions, all(x);
         const mat slopes = target.surface->slopes(variables);
-        for (int i = 0; i < count(open_); ++i)
-        {
-            result.col(i).segment(first, n) =
-                slopes.col(nConditions + open_[i]);
-        }
+        result.middleRows(first, n) =
+            slopes.rightCols(parameters_.size())(Eigen::all, open_);
         first += n;
     }
     return result;
 }
 
 
+statistics::vec statistics::calibration::wanted() const
+{
+    return below(&calibrationTarget::wanted);
+}
+
+
 statistics::vec statistics::calibration::lower() const
 {
-    vec result(open_.size());
-    for (int i = 0; i < count(open_); ++i)
-    {
-        result[i] = parameters_[open_[i]].lower;
-    }
-    return result;
+    return lower_(open_);
 }
 
 
 statistics::vec statistics::calibration::upper() const
 {
-    vec result(open_.size());
-    for (int i = 0; i < count(open_); ++i)
-    {
-        result[i] = parameters_[open_[i]].upper;
-    }
-    return result;
+    return upper_(open_);
+}
+
+
+statistics::vec statistics::calibration::mean() const
+{
+    return (lower() + upper())/2;
+}
+
+
+statistics::vec statistics::calibration::deviation() const
+{
+    return vec::Zero(open_.size());
 }
 
 
@@ -186,7 +180,8 @@ statistics::fitted statistics::calibration::choose
     vec& deviations
 )
 {
-    const whitener white(covariance());
+    const vec deviation = below(&calibrationTarget::deviation);
+    const whitener white(mat(deviation.cwiseAbs2().asDiagonal()));
     fitted best;
     best.objective = large;
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -13,14 +12,6 @@ namespace statistics
 
 namespace
 {
-
-rowSources unmoved(const int nRows)
-{
-    rowSources result(nRows);
-    std::iota(result.begin(), result.end(), 0);
-    return result;
-}
-
 
 //- That at least k hold, each with a chance of its own (Poisson binomial)
 double atLeast(const int k, const std::vector<double>& chances)
@@ -134,7 +125,7 @@ identityMatch columnFaults::match
 columnFault columnFaults::asPrinted() const
 {
     columnFault result;
-    result.sources = unmoved(nRows_);
+    result.sources = inOrder(nRows_);
     result.match = match(0, result.sources);
     return result;
 }
@@ -225,7 +216,7 @@ void columnFaults::addRows(std::vector<columnFault>& result) const
     {
         for (int j = 0; j < i; ++j)
         {
-            fault.sources = unmoved(nRows_);
+            fault.sources = inOrder(nRows_);
             std::swap(fault.sources[i], fault.sources[j]);
             addToColumns(fault, result);
         }
@@ -252,17 +243,6 @@ bool columnFaults::isLikely(const columnFault& fault, const double limit) const
      && 2*fault.match.exact > nRows_
      && fault.match.meanDifference < printed.meanDifference
      && fault.chance < limit;
-}
-
-
-vec moved(const vec& column, const rowSources& sources)
-{
-    vec result(column.size());
-    for (int i = 0; i < count(sources); ++i)
-    {
-        result[i] = column[sources[i]];
-    }
-    return result;
 }
 
 

@@ -4,7 +4,6 @@
 #include "designs.H"
 
 #include <algorithm>
-#include <numeric>
 #include <random>
 
 std::vector<statistics::vec>
@@ -63,8 +62,7 @@ std::vector<statistics::vec> statistics::ensembleDesign
 
     // Each candidate as often as the others: drawn at random, one of six was in
     // none of 26 runs
-    std::vector<int> order(nC);
-    std::iota(order.begin(), order.end(), 0);
+    std::vector<int> order(inOrder(nC));
     int next = nC;
     const auto take = [&]()
     {

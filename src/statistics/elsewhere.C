@@ -17,8 +17,7 @@ mat predictionErrors
 (
     const sampledModel& fitted,
     const sampledModel& heldOut,
-    const scored& best,
-    const double discrepancy
+    const scored& best
 )
 {
     const vec& x = best.best.x;
@@ -27,7 +26,7 @@ mat predictionErrors
         fitted.model(best.what), whitener(best.covariance), x
     );
     const mat there = heldOut.model(best.what).slopes(x);
-    const scoring score(heldOut.score(discrepancy));
+    const scoring score(heldOut.score());
     mat errors =
         there*unsure*there.transpose() + score.modelDiscrepancy(best);
     if (best.what.unknown)
@@ -91,8 +90,7 @@ double statistics::chanceOfDegradation
     const sampledModel& heldOut,
     const scored& best,
     const vec& before,
-    const vec& after,
-    const double discrepancy
+    const vec& after
 )
 {
     // Given the effect that it predicts, what a right prediction leaves has the mean
@@ -100,7 +98,7 @@ double statistics::chanceOfDegradation
     const whitener white(heldOut.uncertainty().at(after));
     const vec effect = white(vec(after - before));
     const vec left = white(vec(heldOut.data().y - after));
-    const mat half = white(predictionErrors(fitted, heldOut, best, discrepancy));
+    const mat half = white(predictionErrors(fitted, heldOut, best));
     const mat errors = white(mat(half.transpose()));
     const double deviation =
         std::sqrt(effect.squaredNorm() + effect.dot(errors*effect));

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 namespace statistics
@@ -18,18 +17,10 @@ using order = std::vector<int>;
 constexpr double mostArrangements = 1e5;
 
 
-order unchanged(const int n)
-{
-    order result(n);
-    std::iota(result.begin(), result.end(), 0);
-    return result;
-}
-
-
 std::vector<order> permutations(const int n)
 {
     std::vector<order> result;
-    order one = unchanged(n);
+    order one = inOrder(n);
     do
     {
         result.push_back(one);

@@ -34,14 +34,9 @@ double likeness(const vec& a, const vec& b)
 } // End anonymous namespace
 
 
-double statistics::gain
-(
-    const sampledModel& m,
-    const hypothesis& h,
-    const double discrepancy
-)
+double statistics::gain(const sampledModel& m, const hypothesis& h)
 {
-    const scoring score(m.score(discrepancy));
+    const scoring score(m.score());
     const scored base(score.base());
     return
         base.score
@@ -54,24 +49,23 @@ statistics::placebo::placebo
     const sampledModel& m,
     const scored& base,
     const scored& best,
-    const double discrepancy,
     const double lasting
 )
 {
     const stacked& data = m.data();
     const vec y = data.y;
     const vec& without = base.best.f;
-    const auto copy(m.copy());
+    sampledModel copy(m);
 
-    copy->record(2*without - y);
-    gain = statistics::gain(*copy, best.what, discrepancy);
+    copy.record(2*without - y);
+    gain = statistics::gain(copy, best.what);
 
     const vec effect = best.best.f - without;
     const whitener white(base.covariance);
     moved = likeness(white(effect), white(halfRoundLater(data, effect))) < lasting;
     if (moved)
     {
-        copy->record(without + halfRoundLater(data, vec(y - without)));
-        gain = std::max(gain, statistics::gain(*copy, best.what, discrepancy));
+        copy.record(without + halfRoundLater(data, vec(y - without)));
+        gain = std::max(gain, statistics::gain(copy, best.what));
     }
 }

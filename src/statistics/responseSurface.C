@@ -81,8 +81,7 @@ void statistics::responseSurface::choose
         }
         if (column.norm() > 1e-3*std::max(before, small))
         {
-            basis.conservativeResize(Eigen::NoChange, basis.cols() + 1);
-            basis.col(basis.cols() - 1) = column.normalized();
+            appendColumn(basis, column.normalized());
             terms_.push_back(possible[k]);
         }
     }
@@ -124,12 +123,7 @@ statistics::responseSurface::responseSurface
         {
             if (leverage_[run] < fixesTerm)
             {
-                leftOut_.conservativeResize
-                (
-                    Eigen::NoChange, leftOut_.cols() + 1
-                );
-                leftOut_.col(leftOut_.cols() - 1) =
-                    errors.col(run)/(1 - leverage_[run]);
+                appendColumn(leftOut_, errors.col(run)/(1 - leverage_[run]));
             }
         }
     }

@@ -30,19 +30,8 @@ statistics::stacked::without(const int omitted, std::vector<int>& keep) const
             rest.segments.push_back(s);
         }
     }
-    rest.y = rows(y, keep);
+    rest.y = y(keep);
     return rest;
-}
-
-
-statistics::vec statistics::rows(const vec& v, const std::vector<int>& keep)
-{
-    vec some(keep.size());
-    for (int i = 0; i < count(keep); ++i)
-    {
-        some[i] = v[keep[i]];
-    }
-    return some;
 }
 
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Tables of results with commas, in which some cells are words or empty.
 
 #include "tableColumns.H"
 
@@ -16,43 +17,19 @@ namespace statistics
 namespace
 {
 
-double numberOf(const std::string& cell, const std::string& place)
+//- The cells of a line, without blanks around them
+std::vector<std::string> cellsOf(const std::string& line)
 {
-    const double value = numberIn(cell);
-    if (!cell.empty() && std::isnan(value))
+    std::istringstream is(line + ',');
+    std::vector<std::string> result;
+    for (std::string cell; std::getline(is, cell, ',');)
     {
-        throw std::invalid_argument
+        const auto first = cell.find_first_not_of(" \t\r");
+        const auto last = cell.find_last_not_of(" \t\r");
+        result.push_back
         (
-            '"' + cell + "\" in " + place + " is no number"
+            first == cell.npos ? "" : cell.substr(first, last - first + 1)
         );
-    }
-    return value;
-}
-
-
-std::vector<int> placesOf
-(
-    const std::vector<std::string>& names,
-    const std::vector<std::string>& heads
-)
-{
-    std::vector<int> result;
-    for (const std::string& name : names)
-    {
-        const auto at = std::find(heads.begin(), heads.end(), name);
-        if (at == heads.end())
-        {
-            std::string found;
-            for (const std::string& head : heads)
-            {
-                found += (found.empty() ? "" : ", ") + head;
-            }
-            throw std::invalid_argument
-            (
-                "there is no column " + name + "; its first line names " + found
-            );
-        }
-        result.push_back(at - heads.begin());
     }
     return result;
 }
@@ -74,74 +51,122 @@ double numberIn(const std::string& cell)
 }
 
 
-std::vector<std::string> cellsOf(std::string line)
-{
-    if (!line.empty() && line.back() == '\r')
-    {
-        line.pop_back();
-    }
-    std::istringstream is(line + ',');
-    std::vector<std::string> result;
-    for (std::string cell; std::getline(is, cell, ',');)
-    {
-        const auto first = cell.find_first_not_of(" \t");
-        const auto last = cell.find_last_not_of(" \t");
-        result.push_back
-        (
-            first == cell.npos ? "" : cell.substr(first, last - first + 1)
-        );
-    }
-    return result;
-}
-
-
-tableRows readRows(std::istream& is, const std::vector<std::string>& names)
+textTable::textTable(std::istream& is, const std::string& of)
 {
     std::string line;
-    if (!std::getline(is, line))
+    for (int number = 1; std::getline(is, line); ++number)
     {
-        throw std::invalid_argument("it is empty; its first line must name its columns");
-    }
-    const std::vector<std::string> heads = cellsOf(line);
-    const std::vector<int> places = placesOf(names, heads);
-
-    tableRows result{mat(0, count(names)), {}};
-    mat& numbers = result.numbers;
-    for (int number = 2; std::getline(is, line); ++number)
-    {
-        const std::string place = "line " + std::to_string(number);
-        const std::vector<std::string> cells = cellsOf(line);
-        if (cells.size() == 1 && cells[0].empty() && heads.size() > 1)
+        const auto first = line.find_first_not_of(" \t\r");
+        if (first == line.npos || line[first] == '#')
         {
             continue;
         }
-        if (cells.size() != heads.size())
+        std::vector<std::string> cells = cellsOf(line);
+        if (names.empty())
+        {
+            if (line.find_first_of(";\t") != line.npos)
+            {
+                throw std::invalid_argument
+                (
+                    "The line of names" + of + " has semicolons or tabs. Write commas"
+                    " between the columns and points in the numbers: 0.5,1013"
+                );
+            }
+            names = std::move(cells);
+            continue;
+        }
+        if (cells.size() != names.size())
         {
             throw std::invalid_argument
             (
-                place + " has " + std::to_string(cells.size())
-              + " cells, the line of names " + std::to_string(heads.size())
+                "Line " + std::to_string(number) + of + " has "
+              + std::to_string(cells.size()) + " cells for "
+              + std::to_string(names.size()) + " columns:" + quoted(names)
             );
         }
-        numbers.conservativeResize(numbers.rows() + 1, Eigen::NoChange);
-        result.lines.push_back(number);
-        for (int i = 0; i < count(places); ++i)
+        rows.push_back(std::move(cells));
+        lines.push_back(number);
+    }
+    if (names.empty())
+    {
+        throw std::invalid_argument
+        (
+            (of.empty() ? "it" : "The table" + of)
+          + " is empty; its first line must name its columns"
+        );
+    }
+}
+
+
+int textTable::find(const std::string& name) const
+{
+    const auto at = std::find(names.begin(), names.end(), name);
+    if (at == names.end())
+    {
+        std::string found;
+        for (const std::string& one : names)
         {
-            numbers(numbers.rows() - 1, i) =
-                numberOf(cells[places[i]], place + ", column " + names[i]);
+            found += (found.empty() ? "" : ", ") + one;
+        }
+        throw std::invalid_argument
+        (
+            "there is no column " + name + "; its first line names " + found
+        );
+    }
+    return at - names.begin();
+}
+
+
+mat textTable::columns(const std::vector<std::string>& wanted) const
+{
+    mat all(rows.size(), wanted.size());
+    for (int k = 0; k < count(wanted); ++k)
+    {
+        const int c = find(wanted[k]);
+        for (int i = 0; i < count(rows); ++i)
+        {
+            const std::string& cell = rows[i][c];
+            all(i, k) = numberIn(cell);
+            if (!cell.empty() && std::isnan(all(i, k)))
+            {
+                throw std::invalid_argument
+                (
+                    '"' + cell + "\" in line " + std::to_string(lines[i])
+                  + ", column " + wanted[k] + " is no number"
+                );
+            }
         }
     }
-    return result;
+    return all;
 }
 
 
-mat readColumns(std::istream& is, const std::vector<std::string>& names)
+mat textTable::whole(const std::vector<std::string>& wanted) const
 {
-    return readRows(is, names).numbers;
+    if (rows.empty())
+    {
+        throw std::invalid_argument("it has no row below its line of names");
+    }
+    const mat all = columns(wanted);
+    for (int i = 0; i < all.rows(); ++i)
+    {
+        for (int k = 0; k < all.cols(); ++k)
+        {
+            if (std::isnan(all(i, k)))
+            {
+                throw std::invalid_argument
+                (
+                    "column " + wanted[k] + " is empty in line "
+                  + std::to_string(lines[i])
+                );
+            }
+        }
+    }
+    return all;
 }
 
 
-tableRows readWhole(const std::string& file, const std::vector<std::string>& names)
+textTable readTable(const std::string& file)
 {
     std::ifstream is(file);
     if (!is)
@@ -151,41 +176,21 @@ tableRows readWhole(const std::string& file, const std::vector<std::string>& nam
             "it cannot be read; its path is taken from where the program is started"
         );
     }
-    const tableRows result = readRows(is, names);
-    if (result.lines.empty())
-    {
-        throw std::invalid_argument("it has no row below its line of names");
-    }
-    for (int row = 0; row < count(result.lines); ++row)
-    {
-        for (int i = 0; i < count(names); ++i)
-        {
-            if (std::isnan(result.numbers(row, i)))
-            {
-                throw std::invalid_argument
-                (
-                    "column " + names[i] + " is empty in line "
-                  + std::to_string(result.lines[row])
-                );
-            }
-        }
-    }
-    return result;
+    return textTable(is);
 }
 
 
 mat completeRows(const mat& table)
 {
-    mat result(table.rows(), table.cols());
-    int n = 0;
+    std::vector<int> complete;
     for (int i = 0; i < table.rows(); ++i)
     {
         if (!table.row(i).hasNaN())
         {
-            result.row(n++) = table.row(i);
+            complete.push_back(i);
         }
     }
-    return result.topRows(n);
+    return table(complete, Eigen::all);
 }
 
 } // End namespace statistics

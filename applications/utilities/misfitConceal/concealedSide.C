@@ -109,13 +109,6 @@ Foam::misfit::concealedSide::concealedSide
     {
         return;
     }
-    forAll(states_, i)
-    {
-        if (all[i].ok())
-        {
-            known_.insert(describe(states_[i]), all[i]);
-        }
-    }
     emulator_.reset
     (
         new emulatedPredictor(set.parameters, set.candidates, states_, all)
@@ -147,10 +140,10 @@ Foam::misfit::concealedSide::predict(const List<runState>& states)
     labelList places;
     forAll(states, i)
     {
-        const auto known = known_.cfind(describe(states[i]));
-        if (known.found())
+        const prediction* known = emulator_ ? emulator_->find(states[i]) : nullptr;
+        if (known && known->ok())
         {
-            all[i] = known.val();
+            all[i] = *known;
         }
         else
         {
@@ -187,8 +180,8 @@ Foam::scalar Foam::misfit::concealedSide::difference(const label run)
 {
     const runState& state = states_[run];
     const prediction now(keptRuns::reduced(solver_.predict({state})[0], step));
-    const auto then = known_.cfind(describe(state));
-    if (!now.ok() || !then.found())
+    const prediction* then = emulator_->find(state);
+    if (!now.ok() || !then || !then->ok())
     {
         return GREAT;
     }
@@ -198,7 +191,7 @@ Foam::scalar Foam::misfit::concealedSide::difference(const label run)
         const series& s = now.channels[i];
         forAll(s.x, k)
         {
-            const scalar off = mag(s.y[k] - then.val().channels[i](s.x[k]));
+            const scalar off = mag(s.y[k] - then->channels[i](s.x[k]));
             largest = max(largest, off/bare_.channels()[i].samples.uncertainty);
         }
     }

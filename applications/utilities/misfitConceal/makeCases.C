@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 #include <sstream>
 
@@ -129,18 +130,15 @@ public:
               : side*uniform(0.05, 0.2);
         }
         wordList names;
-        if (kind == "outside")
+        if (kind != "null" && kind != "sensor")
         {
-            names.append(outside_[pick(outside_.size())]);
-        }
-        if (kind == "single" || kind == "pair")
-        {
-            const label n = library_.size();
+            const wordList& from = kind == "outside" ? outside_ : library_;
+            const label n = from.size();
             const label i = pick(n);
-            names.append(library_[i]);
+            names.append(from[i]);
             if (kind == "pair")
             {
-                names.append(library_[(i + 1 + pick(n - 1)) % n]);
+                names.append(from[(i + 1 + pick(n - 1)) % n]);
             }
         }
         for (const word& name : names)
@@ -320,10 +318,8 @@ void Foam::misfit::makeCases
         std::string number(std::to_string(i + 1));
         number.insert(0, 4 - min(label(number.size()), label(4)), '0');
         const UList<prediction> mine(SubList<prediction>(given, each, i*each));
-        const auto failed = std::find_if
-        (
-            mine.begin(), mine.end(), [](const prediction& p) { return !p.ok(); }
-        );
+        const auto failed =
+            std::find_if_not(mine.begin(), mine.end(), std::mem_fn(&prediction::ok));
         if (failed != mine.end())
         {
             Info<< "    No case " << number << ": a run of its truth failed: "

@@ -21,16 +21,12 @@ std::string row(const openedCase& c)
     {
         return from.is_null() ? std::string() : shortNumber(from[name]);
     }));
-    const auto all = [](const std::vector<std::string>& names)
-    {
-        return joined(names, "+", [](const std::string& name) { return name; });
-    };
     const std::string fault = c.key["fault"];
     return
-        c.key["case"].get<std::string>() + ',' + c.kind + ',' + all(c.truth)
+        c.key["case"].get<std::string>() + ',' + c.kind + ',' + joined(c.truth, "+")
       + (c.faulty.empty() ? "" : fault + ' ' + c.faulty) + ','
       + shortNumber(c.noiseSNR) + ',' + shortNumber(c.SNR) + ','
-      + c.said + ',' + all(c.names) + ',' + shortNumber(c.confidence) + ','
+      + c.said + ',' + joined(c.names, "+") + ',' + shortNumber(c.confidence) + ','
       + (c.overlap ? shortNumber(*c.overlap) : "") + ',' + (c.right ? '1' : '0')
       + ',' + grounds + '\n';
 }
@@ -51,7 +47,7 @@ void Foam::misfit::scoreCases
     (
         folder/"cases.csv",
         "case,kind,truth,snrNoise,snr,verdict,names,confidence,overlap,right,"
-      + joined(groundNames, ",", [](const word& name) { return name; }) + '\n'
+      + joined(groundNames, ",") + '\n'
       + joined(cases, "", row)
     );
     writeWhole(folder/"score.csv", scores);

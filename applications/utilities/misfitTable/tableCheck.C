@@ -7,6 +7,7 @@
 #include "Pair.H"
 #include "rankCorrelation.H"
 #include "scalarList.H"
+#include "tableColumns.H"
 
 #include <stdexcept>
 
@@ -103,7 +104,7 @@ explanation explained
     {
         const bool isIt = c == fault.column;
         (isIt ? column : others).col(c) =
-            statistics::moved(table.col(c), isIt ? fault.sources : back);
+            table.col(c)(isIt ? fault.sources : back);
     }
     return {fault, missed(stated, column, names), missed(stated, others, names)};
 }
@@ -162,21 +163,19 @@ tableCheck::tableCheck(const dictionary& dict)
         names.append(pair.second());
     }
     names.append(factors);
-    const statistics::tableRows rows
-    (
-        statistics::readWhole(file, {names.begin(), names.end()})
-    );
-    lines = rows.lines;
+    const statistics::textTable text(statistics::readTable(file));
+    const mat numbers = text.whole({names.begin(), names.end()});
+    lines = text.lines;
     const statistics::factorialTable factorial
     (
-        rows.numbers.rightCols(factors.size())
+        numbers.rightCols(factors.size())
     );
     levels = factorial.levels();
     const statistics::columnFaults faults
     (
         factorial,
         law,
-        {rows.numbers.leftCols(columns.size()), lines},
+        {numbers.leftCols(columns.size()), lines},
         readRoundings(dict.subDict("roundings"), columns),
         dict.lookupOrDefault<scalar>("tolerance", 0.01)
     );
@@ -196,7 +195,7 @@ tableCheck::tableCheck(const dictionary& dict)
         {
             best.push_back
             (
-                explained(fault, stated, rows.numbers, names, columns.size())
+                explained(fault, stated, numbers, names, columns.size())
             );
         }
     }

@@ -8,7 +8,6 @@
 #include "words.H"
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <sstream>
 
@@ -69,7 +68,7 @@ string ofLabels(const tableCheck& check, const statistics::labelArrangement& lab
             parts.begin(), "the labels " + inWords(from, "and") + " are " + what
         );
     }
-    return joined(parts, "; ", [](const string& part) { return part; });
+    return joined(parts, "; ");
 }
 
 
@@ -247,27 +246,14 @@ std::string Foam::misfit::correctedTable
     const columnFault& fault
 )
 {
-    std::ifstream is(check.file);
-    std::vector<std::vector<std::string>> rows;
-    for (std::string line; std::getline(is, line);)
-    {
-        const auto cells = statistics::cellsOf(line);
-        if (cells.size() > 1)
-        {
-            rows.push_back(cells);
-        }
-    }
-
-    // Below the names the cell as printed, to its last digit, from its row
-    const auto& names = rows.front();
-    const label column =
-        std::find(names.begin(), names.end(), check.columns[fault.column])
-      - names.begin();
-    const auto printed = rows;
+    // The cell as printed, to its last digit, from its row
+    const statistics::textTable printed(statistics::readTable(check.file));
+    const label column = printed.find(check.columns[fault.column]);
+    auto rows = printed.rows;
     for (label i = 0; i < count(fault.sources); ++i)
     {
-        rows[i + 1][column] = printed[fault.sources[i] + 1][column];
+        rows[i][column] = printed.rows[fault.sources[i]][column];
     }
-    const auto cell = [](const std::string& one) { return one; };
-    return joined(rows, "", [&](const auto& row) { return joined(row, ",", cell) + '\n'; });
+    rows.insert(rows.begin(), printed.names);
+    return joined(rows, "", [](const auto& row) { return joined(row, ",") + '\n'; });
 }

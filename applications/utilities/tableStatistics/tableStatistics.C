@@ -8,7 +8,6 @@
 #include "tableColumns.H"
 #include "wordList.H"
 
-#include <fstream>
 #include <stdexcept>
 
 using namespace Foam;
@@ -20,12 +19,7 @@ namespace
 
 mat readTable(const fileName& file, const wordList& names)
 {
-    std::ifstream is(file);
-    if (!is)
-    {
-        throw std::invalid_argument("it cannot be read");
-    }
-    return statistics::readColumns(is, {names.begin(), names.end()});
+    return statistics::readTable(file).columns({names.begin(), names.end()});
 }
 
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How sure the verdict is: what speaks for it, and how often such verdicts were right.
 
-#include "gates.H"
-#include "verdict.H"
+#include "stages.H"
 
 #include <algorithm>
 #include <cmath>

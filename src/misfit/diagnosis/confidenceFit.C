@@ -84,29 +84,16 @@ Foam::misfit::readKnownCases(const fileName& file)
     std::vector<knownCase> cases;
     try
     {
-        const statistics::mat numbers(statistics::readColumns(is, names));
-        is.clear();
-        is.seekg(0);
-        std::string line;
-        std::getline(is, line);
-        const std::vector<std::string> heads(statistics::cellsOf(line));
-        const auto at = std::find(heads.begin(), heads.end(), "verdict");
-        for (label i = 0; i < numbers.rows() && at != heads.end(); ++i)
+        const statistics::textTable table(is);
+        const statistics::mat numbers = table.whole(names);
+        const label verdict = table.find("verdict");
+        for (label i = 0; i < numbers.rows(); ++i)
         {
-            std::getline(is, line);
-            const word verdict(statistics::cellsOf(line)[at - heads.begin()]);
             cases.push_back
             ({
-                verdict, numbers.row(i).tail(groundNames.size()).transpose(),
-                numbers(i, 0) > 0.5
+                table.rows[i][verdict],
+                numbers.row(i).tail(groundNames.size()).transpose(), numbers(i, 0) > 0.5
             });
-        }
-        if (cases.empty() || !numbers.allFinite())
-        {
-            throw std::invalid_argument
-            (
-                "it needs a column verdict, and a number in each cell of the others"
-            );
         }
     }
     catch (const std::invalid_argument& e)

@@ -39,14 +39,14 @@ void judge
     correcting& c,
     const scored& free,
     const List<dimensionlessLaw>& laws,
-    const List<refitted>& fits,
+    const List<computed>& fits,
     const labelList& order
 )
 {
     const settings& set = c.s.set;
     correctionFound& found = c.found;
     const dimensionlessLaw& best = laws[order[0]];
-    const refitted& first = fits[order[0]];
+    const computed& first = fits[order[0]];
     const scalar needed = found.elements.size() ? set.gap : set.evidence;
     const bool enough =
         first.variables.size() && first.failure.empty()
@@ -84,15 +84,15 @@ void judge
 } // End anonymous namespace
 
 
-Foam::misfit::refitted
-Foam::misfit::followLaws(correcting& c, const refitted& free)
+Foam::misfit::computed
+Foam::misfit::followLaws(correcting& c, const computed& free)
 {
     const List<dimensionlessLaw> laws(possibleLaws(c));
     if (laws.empty())
     {
         return free;
     }
-    List<refitted> fits(laws.size());
+    List<computed> fits(laws.size());
     labelList order(identity(laws.size()));
     forAll(laws, i)
     {
@@ -117,7 +117,7 @@ Foam::misfit::followLaws(correcting& c, const refitted& free)
     // In the solver, too, until the best of those that run was computed
     for (label n = 0; n < c.s.set.refit; ++n)
     {
-        refitted& first = fits[order[0]];
+        computed& first = fits[order[0]];
         const scalar limit = free.best.score + c.s.set.gap;
         if (first.variables.size() || first.best.score > limit)
         {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Calibration, and whether, where and when recording and simulation still part.
 
-#include "detect.H"
+#include "stages.H"
 #include "designs.H"
-
-#include <numeric>
 
 namespace
 {
@@ -42,8 +40,9 @@ std::vector<int> alwaysFailing
 
 //- What candidates, as far as they were run, and sensor faults would change in the
 //  fitted samples: a column for each
-mat shapes(const study& s, const sampledModel& calibration, const scored& base)
+mat shapes(const study& s, const scored& base)
 {
+    const sampledModel& calibration = s.calibration;
     mat changes(calibration.size(), 0);
     const auto add = [&changes](const vec& change)
     {
@@ -55,9 +54,7 @@ mat shapes(const study& s, const sampledModel& calibration, const scored& base)
 
     const vec at = calibration.model(base.what).expand(base.best.x);
     // A weak effect may look otherwise than a strong one, as one that delays
-    std::vector<int> all(s.names.size());
-    std::iota(all.begin(), all.end(), 0);
-    for (const vec& with : s.sensitivityDesign(at, all))
+    for (const vec& with : s.sensitivityDesign(at, statistics::inOrder(s.names.size())))
     {
         add(calibration.surface()(with) - calibration.surface()(at));
     }
@@ -94,7 +91,7 @@ std::vector<place> placed
 } // End anonymous namespace
 
 
-std::vector<int> Foam::misfit::addCalibrationRuns(study& s, models& m)
+std::vector<int> Foam::misfit::addCalibrationRuns(study& s)
 {
     Info<< "Calibration" << endl;
     std::vector<vec> design
@@ -111,7 +108,7 @@ std::vector<int> Foam::misfit::addCalibrationRuns(study& s, models& m)
             design.push_back(variablesOf(s.set.parameters, s.names, state));
         }
     }
-    const List<samples> given(m.addRuns(s, design));
+    const List<samples> given(s.addRuns(design));
     forAll(given, i)
     {
         if (!given[i].ok())
@@ -119,7 +116,7 @@ std::vector<int> Foam::misfit::addCalibrationRuns(study& s, models& m)
             s.leaveOut(s.state(design[i]), given[i].failure);
         }
     }
-    m.build(s);
+    s.build();
     return alwaysFailing(s, design, given);
 }
 
@@ -127,11 +124,11 @@ std::vector<int> Foam::misfit::addCalibrationRuns(study& s, models& m)
 Foam::misfit::scanned Foam::misfit::scanResidual
 (
     const study& s,
-    const sampledModel& m,
     const scored& w,
     const mat& shapes
 )
 {
+    const sampledModel& m = s.calibration;
     const hypothesisModel model(m.model(w.what));
     const mat slopes = model.slopes(w.best.x);
     const vec deviation = model.deviation();
@@ -158,19 +155,18 @@ Foam::misfit::scanned Foam::misfit::scanResidual
 Foam::misfit::scored Foam::misfit::detect
 (
     const study& s,
-    const models& m,
     finding& f
 )
 {
     Info<< "Detection" << endl;
     const settings& set = s.set;
-    const stacked& data = m.calibration->data();
-    const vec atMean = m.calibration->surface()(s.bounds.mean);
-    const whitener white(m.calibration->uncertainty().at(atMean));
+    const stacked& data = s.calibration.data();
+    const vec atMean = s.calibration.surface()(s.bounds.mean);
+    const whitener white(s.calibration.uncertainty().at(atMean));
     const statistics::scan raw(data, white, set.draws, set.seed);
     f.raw = raw(data.y - atMean, set.significance);
 
-    const scored base(m.calibration->score(set.modelDiscrepancy).base());
+    const scored base(s.calibration.score().base());
     forAll(set.parameters, i)
     {
         const parameter& p = set.parameters[i];
@@ -181,7 +177,7 @@ Foam::misfit::scored Foam::misfit::detect
         });
     }
     f.detection =
-        scanResidual(s, *m.calibration, base, shapes(s, *m.calibration, base));
+        scanResidual(s, base, shapes(s, base));
 
     const vec misfit = data.y - base.best.f;
     std::vector<window> clear;
@@ -199,7 +195,7 @@ Foam::misfit::scored Foam::misfit::detect
     f.located = placed(clear, data, misfit);
     f.data = data;
     f.sigma = base.covariance.diagonal().cwiseSqrt();
-    f.sources = m.calibration->uncertainty().sources(base.best.f);
+    f.sources = s.calibration.uncertainty().sources(base.best.f);
     return base;
 }
 
@@ -213,12 +209,11 @@ bool Foam::misfit::isDetected(const study& s, const finding& f)
 std::vector<Foam::misfit::place> Foam::misfit::locateNamed
 (
     const study& s,
-    const models& m,
     const finding& f
 )
 {
     // What is left counts, too: nature's formula may be another one
-    const stacked& data = m.calibration->data();
+    const stacked& data = s.calibration.data();
     const scalar share = s.set.residualShare;
     const vec explained =
         (1 - share)*(f.after - f.before) + share*(data.y - f.before);
@@ -240,7 +235,6 @@ std::vector<Foam::misfit::place> Foam::misfit::locateNamed
 void Foam::misfit::addSensitivityRuns
 (
     study& s,
-    models& m,
     const scored& base,
     screened& candidates,
     std::vector<int>& never
@@ -257,7 +251,7 @@ void Foam::misfit::addSensitivityRuns
     std::vector<vec> design(1, at);
     const std::vector<vec> alone(s.sensitivityDesign(at, candidates.left));
     design.insert(design.end(), alone.begin(), alone.end());
-    const List<samples> given(m.addRuns(s, design));
+    const List<samples> given(s.addRuns(design));
 
     std::vector<int> left;
     for (label i = 0; i < count(candidates.left); ++i)
@@ -279,5 +273,5 @@ void Foam::misfit::addSensitivityRuns
         }
     }
     candidates.left = left;
-    m.build(s);
+    s.build();
 }

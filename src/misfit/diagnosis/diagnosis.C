@@ -3,14 +3,8 @@
 
 #include "diagnosis.H"
 #include "designs.H"
-#include "detect.H"
-#include "freeCorrection.H"
-#include "gates.H"
-#include "refit.H"
-#include "uncertainty.H"
-#include "verdict.H"
+#include "stages.H"
 
-#include <numeric>
 #include <stdexcept>
 
 namespace
@@ -40,18 +34,17 @@ finding diagnosed(sampler& ask, const settings& set)
 {
     study s(ask, set);
     warnOfClock(s);
-    models m(s);
     finding f;
     f.library = s.names;
 
-    addUncertainty(s, m);
-    std::vector<int> never(addCalibrationRuns(s, m));
-    const scored base(detect(s, m, f));
+    addUncertainty(s);
+    std::vector<int> never(addCalibrationRuns(s));
+    const scored base(detect(s, f));
     const bool detected = isDetected(s, f);
-    screened candidates(screen(s, *m.calibration, base, never));
+    screened candidates(screen(s, base, never));
     if (detected)
     {
-        addSensitivityRuns(s, m, base, candidates, never);
+        addSensitivityRuns(s, base, candidates, never);
     }
     else
     {
@@ -63,24 +56,24 @@ finding diagnosed(sampler& ask, const settings& set)
     Info<< "Sensors and mechanisms" << endl;
     f.explained = explanations
     (
-        m.calibration->score(set.modelDiscrepancy).all
+        s.calibration.score().all
         (
             candidates.left,
-            possibleFaults(m.calibration->data(), set.faults),
+            possibleFaults(s.calibration.data(), set.faults),
             set.pairs
         )
     );
     if (detected)
     {
-        refitBest(s, m, f.explained);
+        refitBest(s, f.explained);
     }
-    prefer(s, m, f.explained, detected);
-    tellApart(s, *m.calibration, candidates.left, f);
+    prefer(s, f.explained, detected);
+    tellApart(s, candidates.left, f);
 
-    const auto known(askGates(s, m, candidates.left, f));
+    const auto known(askGates(s, candidates.left, f));
     f.failedRuns = s.failed;
-    decide(s, m, f);
-    correct(s, m, known, f);
+    decide(s, f);
+    correct(s, known, f);
     f.nRuns += s.nRuns;
     return f;
 }
@@ -123,19 +116,18 @@ Foam::misfit::visibility
 Foam::misfit::visible(sampler& ask, const settings& set)
 {
     study s(ask, set);
-    models m(s);
-    addUncertainty(s, m);
-    addCalibrationRuns(s, m);
+    addUncertainty(s);
+    addCalibrationRuns(s);
 
     const vec& mean = s.bounds.mean;
     const label nP = s.bounds.nParameters;
     visibility v;
-    v.sensors = covariance(m.calibration->data(), 0).at(m.calibration->data().y);
-    v.all = m.calibration->uncertainty().at(m.calibration->surface()(mean));
+    v.sensors = covariance(s.calibration.data(), 0).at(s.calibration.data().y);
+    v.all = s.calibration.uncertainty().at(s.calibration.surface()(mean));
     v.calibrated = statistics::withFitted
     (
         v.all,
-        m.calibration->surface().slopes(mean).leftCols(nP),
+        s.calibration.surface().slopes(mean).leftCols(nP),
         s.bounds.deviation.head(nP)
     );
     return v;
@@ -165,8 +157,7 @@ Foam::misfit::plan(sampler& ask, const settings& set)
     }
     else
     {
-        std::vector<int> every(set.candidates.size());
-        std::iota(every.begin(), every.end(), 0);
+        const std::vector<int> every(statistics::inOrder(set.candidates.size()));
         stages.append({"Calibration", replicated(s, parameterDesign(s.bounds))});
         stages.append
         ({

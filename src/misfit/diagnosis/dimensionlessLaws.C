@@ -104,17 +104,6 @@ struct groupFunctions
     }
 
 
-    mat combination(const labelList& functions) const
-    {
-        mat m(values.rows(), functions.size());
-        forAll(functions, i)
-        {
-            m.col(i) = values.col(functions[i]);
-        }
-        return m;
-    }
-
-
     //- Functions that tell the elements of the family apart
     labelList telling(const bool drag) const
     {
@@ -130,7 +119,7 @@ struct groupFunctions
         labelList list;
         for (label f = drag; f < groups.size() && own.size(); ++f)
         {
-            if (tells(rows(values.col(f), own), drag))
+            if (tells(values.col(f)(own), drag))
             {
                 list.append(f);
             }
@@ -169,7 +158,7 @@ Foam::misfit::mat Foam::misfit::combinationOf
     const HashTable<conditions>& met
 )
 {
-    return groupFunctions(law.family, elements, met).combination(law.functions);
+    return groupFunctions(law.family, elements, met).values(Eigen::all, law.functions);
 }
 
 
@@ -213,7 +202,7 @@ Foam::List<Foam::misfit::dimensionlessLaw> Foam::misfit::lawsOf
         dimensionlessLaw law;
         law.family = family;
         law.functions = functions;
-        law.combination = all.combination(functions);
+        law.combination = all.values(Eigen::all, functions);
         for (const label f : functions)
         {
             if (!all.groups[f].empty())

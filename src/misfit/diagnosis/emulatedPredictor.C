@@ -185,10 +185,18 @@ Foam::misfit::emulatedPredictor::predict(const List<runState>& states)
     List<prediction> all(states.size());
     forAll(states, i)
     {
-        const auto known = known_.cfind(describe(states[i]));
-        all[i] = known.found() ? runs_[known.val()] : emulated(states[i]);
+        const prediction* known = find(states[i]);
+        all[i] = known ? *known : emulated(states[i]);
     }
     return all;
+}
+
+
+const Foam::misfit::prediction*
+Foam::misfit::emulatedPredictor::find(const runState& s) const
+{
+    const auto known = known_.cfind(describe(s));
+    return known.found() ? &runs_[known.val()] : nullptr;
 }
 
 

@@ -35,6 +35,21 @@ void Foam::misfit::explanations::sort()
 }
 
 
+std::vector<const Foam::misfit::scored*> Foam::misfit::explanations::byScore() const
+{
+    std::vector<const scored*> list;
+    for (const scored& w : all_)
+    {
+        list.push_back(&w);
+    }
+    std::stable_sort(list.begin(), list.end(), [](const scored* a, const scored* b)
+    {
+        return a->score < b->score;
+    });
+    return list;
+}
+
+
 void Foam::misfit::explanations::putFirst(const hypothesis& h)
 {
     for (scored& w : all_)
@@ -81,7 +96,7 @@ Foam::misfit::explanations::find(const hypothesis& h) const
 {
     for (const computed& c : computed_)
     {
-        if (c.what == h)
+        if (c.best.what == h)
         {
             return &c;
         }
@@ -92,7 +107,7 @@ Foam::misfit::explanations::find(const hypothesis& h) const
 
 Foam::misfit::computed Foam::misfit::explanations::lookUp
 (
-    const models& m,
+    const study& s,
     const scored& w
 ) const
 {
@@ -100,18 +115,11 @@ Foam::misfit::computed Foam::misfit::explanations::lookUp
     {
         return *found;
     }
-    return onSurface(m, w);
+    return onSurface(s, w);
 }
 
 
 void Foam::misfit::explanations::note(const computed& c)
-{
-    forget(c.what);
-    computed_.push_back(c);
-}
-
-
-void Foam::misfit::explanations::forget(const hypothesis& h)
 {
     computed_.erase
     (
@@ -119,25 +127,29 @@ void Foam::misfit::explanations::forget(const hypothesis& h)
         (
             computed_.begin(),
             computed_.end(),
-            [&h](const computed& c) { return c.what == h; }
+            [&c](const computed& old) { return old.best.what == c.best.what; }
         ),
         computed_.end()
     );
+    if (c.failure.empty())
+    {
+        computed_.push_back(c);
+    }
 }
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 Foam::misfit::computed
-Foam::misfit::onSurface(const models& m, const scored& w)
+Foam::misfit::onSurface(const study& s, const scored& w)
 {
     computed c;
-    c.what = w.what;
-    c.variables = m.calibration->model(w.what).expand(w.best.x);
+    c.best = w;
+    c.variables = s.calibration.model(w.what).expand(w.best.x);
     c.given.calibration = w.best.f;
-    if (m.validation->size())
+    if (s.validation.size())
     {
-        c.given.validation = m.validation->surface()(c.variables);
+        c.given.validation = s.validation.surface()(c.variables);
     }
     return c;
 }

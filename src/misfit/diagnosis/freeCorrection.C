@@ -2,10 +2,9 @@
 // What no candidate explains is fitted by a free correction, and that correction by
 // dimensionless numbers.
 
-#include "freeCorrection.H"
+#include "stages.H"
 #include "correcting.H"
 #include "designs.H"
-#include "detect.H"
 
 #include <cmath>
 
@@ -24,7 +23,7 @@ bool computeSensitivities(correcting& c)
     {
         design.insert(design.end(), more.begin(), more.end());
     }
-    const List<samples> given(c.m.addRuns(c.s, design));
+    const List<samples> given(c.s.addRuns(design));
     forAll(c.elements(), i)
     {
         if (!given[i + 1].ok())
@@ -34,7 +33,7 @@ bool computeSensitivities(correcting& c)
     }
     c.given = given.first();
     c.found.failure = c.given.failure;
-    c.m.build(c.s);
+    c.s.build();
     return c.given.ok();
 }
 
@@ -83,11 +82,11 @@ scored withOneMore(const correcting& c, labelList& free)
 
 
 //- Elements taken up one after the other
-refitted fitFreely(correcting& c)
+computed fitFreely(correcting& c)
 {
     const settings& set = c.s.set;
     labelList free;
-    refitted r;
+    computed r;
     r.best = fitFree(c, free);
     const scalar none = r.best.score;
 
@@ -128,7 +127,7 @@ bool holdsIn
 (
     correcting& c,
     const observed& other,
-    const refitted& r,
+    const computed& r,
     const covariance& known
 )
 {
@@ -156,8 +155,7 @@ bool holdsIn
         after.ok()
      && compare
         (
-            heldOut::part::experiment, other, other.use, before, after, known, set,
-            held
+            heldOut::part::experiment, other, before, after, known, set, held
         )
      && held.last().squareAfter
      <= max(confirmingSquare(held.last(), set), held.last().limitOfMatch);
@@ -168,15 +166,15 @@ bool holdsIn
 void test
 (
     correcting& c,
-    const refitted& r,
+    const computed& r,
     const std::map<word, covariance>& known
 )
 {
     correctionFound& found = c.found;
     found.after = r.best.best.f;
-    found.left = scanResidual(c.s, *c.m.calibration, r.best).p;
+    found.left = scanResidual(c.s, r.best).p;
     found.isEnough = found.left >= c.s.set.adequacy;
-    compareHere(c.s, c.given, r.given, c.m.validation->uncertainty(), found.held);
+    compareHere(c.s, c.given, r.given, c.s.validation.uncertainty(), found.held);
     label asked = 0;
     label held = 0;
     for (label i = 1; i < c.s.experiments.size(); ++i)
@@ -220,21 +218,61 @@ void nameLaw(const settings& set, finding& f)
 } // End anonymous namespace
 
 
+Foam::misfit::correcting::correcting(const study& whole, const scored& calibrated)
+:
+    s(whole.ofCorrection()),
+    base(calibrated),
+    white(base.covariance),
+    atBase(vec::Zero(s.bounds.mean.size()))
+{
+    const label nP = s.bounds.nParameters;
+    atBase.head(nP) = base.best.x.head(nP);
+    found.asked = true;
+}
+
+
+Foam::misfit::scored Foam::misfit::correcting::fit
+(
+    const mat& combination,
+    const scalar number
+) const
+{
+    scored w;
+    w.what.combination = combination;
+    w.number = number;
+    w.covariance = base.covariance;
+    return s.calibration.score().again(w, white);
+}
+
+
+Foam::misfit::computed
+Foam::misfit::correcting::compute(const scored& start)
+{
+    computed r(refit(s, start, &white));
+    if (r.failure.size())
+    {
+        const computed said(onSurface(s, r.best));
+        r.variables = said.variables;
+        r.given = said.given;
+    }
+    return r;
+}
+
+
 Foam::misfit::correctionFound Foam::misfit::fitCorrection
 (
     const study& s,
-    const models& m,
     const scored& base,
     const std::map<word, covariance>& known,
     label& runs
 )
 {
     Info<< "Free correction" << endl;
-    correcting c(s, m, base);
+    correcting c(s, base);
     correctionFound& found = c.found;
     if (computeSensitivities(c))
     {
-        const refitted best(followLaws(c, fitFreely(c)));
+        const computed best(followLaws(c, fitFreely(c)));
         if (found.elements.size() || found.explained)
         {
             test(c, best, known);
@@ -251,7 +289,6 @@ Foam::misfit::correctionFound Foam::misfit::fitCorrection
 void Foam::misfit::correct
 (
     const study& s,
-    const models& m,
     const std::map<word, covariance>& known,
     finding& f
 )
@@ -265,7 +302,7 @@ void Foam::misfit::correct
         return;
     }
     f.correction =
-        fitCorrection(s, m, f.explained.baseline(), known, f.nRuns);
+        fitCorrection(s, f.explained.baseline(), known, f.nRuns);
     const correctionFound& found = f.correction;
     if (found.after.size())
     {

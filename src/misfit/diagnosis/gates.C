@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What an answer must pass: the gates in their order, but for held-out data.
 
-#include "gates.H"
-#include "detect.H"
+#include "stages.H"
 #include "placebo.H"
 
 namespace
@@ -15,8 +14,6 @@ using namespace Foam::misfit;
 struct asked
 {
     const study& s;
-
-    const models& m;
 
     const std::vector<int>& mechanisms;
 
@@ -49,7 +46,7 @@ scalar gainAlone(const asked& a)
 {
     if (a.what().mechanisms.size())
     {
-        return statistics::gain(*a.m.calibration, a.what(), a.set().modelDiscrepancy);
+        return statistics::gain(a.s.calibration, a.what());
     }
     for (const scored& w : a.f.explained.all())
     {
@@ -111,7 +108,7 @@ gate adequacyGate(const asked& a)
     gate g
     (
         gateKind::adequacy,
-        scanResidual(a.s, *a.m.calibration, a.f.best()).p,
+        scanResidual(a.s, a.f.best()).p,
         a.set().adequacy
     );
     const bool isMostlyUnknown =
@@ -125,13 +122,13 @@ gate adequacyGate(const asked& a)
 scored winnerWithout(const asked& a, const label channel)
 {
     const scored& best = a.f.best();
-    const auto rest(a.m.calibration->without(channel, a.s.width));
+    const sampledModel rest(a.s.calibration.without(channel));
     const std::vector<scored> all
     (
-        rest->score(a.set().modelDiscrepancy).all
+        rest.score().all
         (
             a.mechanisms,
-            possibleFaults(rest->data(), a.set().faults),
+            possibleFaults(rest.data(), a.set().faults),
             best.what.mechanisms.size() > 1
         )
     );
@@ -165,7 +162,7 @@ scored winnerWithout(const asked& a, const label channel)
 //  is one of the winners
 gate stabilityGate(const asked& a)
 {
-    const std::vector<segment>& channels = a.m.calibration->data().segments;
+    const std::vector<segment>& channels = a.s.calibration.data().segments;
     const bool applies = channels.size() > 1 && a.what().mechanisms.size();
     const label n = applies ? count(channels) : 0;
     wordList lost;
@@ -201,8 +198,7 @@ gate placeboGate(const asked& a)
     // What held-out data confirm was seen at other times and places indeed
     const statistics::placebo placebo
     (
-        *a.m.calibration, a.f.explained.baseline(), a.f.best(),
-        a.set().modelDiscrepancy,
+        a.s.calibration, a.f.explained.baseline(), a.f.best(),
         isConfirmed(a.f.held, a.set()) ? -1 : a.set().lastingEffect
     );
     gate g(gateKind::placebo, placebo.gain, a.set().placebo*a.alone);
@@ -218,14 +214,13 @@ gate placeboGate(const asked& a)
 std::map<Foam::word, Foam::misfit::covariance> Foam::misfit::askGates
 (
     study& s,
-    const models& m,
     const std::vector<int>& mechanisms,
     finding& f
 )
 {
     Info<< "Gates" << endl;
     const settings& set = s.set;
-    asked a{s, m, mechanisms, f};
+    asked a{s, mechanisms, f};
     f.gates.add({gateKind::detection, f.detection.p, set.significance});
     f.gates.addNothing(gateKind::computed);
     const bool detected = f.gates.passed(gateKind::detection);
@@ -247,7 +242,7 @@ std::map<Foam::word, Foam::misfit::covariance> Foam::misfit::askGates
     (
         predictHeldOut
         (
-            s, m, f.explained,
+            s, f.explained,
             a.what().isNone() || blamesOneSensor(a.what())
          || !f.gates.passed(gateKind::evidence)
         )
@@ -262,7 +257,7 @@ std::map<Foam::word, Foam::misfit::covariance> Foam::misfit::askGates
         g.failure = failed.why;
         f.gates.add(g);
     }
-    askHeldOut(s, m, f.best(), f.held, f.gates);
+    askHeldOut(s, f);
     if (detected)
     {
         f.gates.add(stabilityGate(a));

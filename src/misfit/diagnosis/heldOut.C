@@ -7,7 +7,6 @@ bool Foam::misfit::compare
 (
     const heldOut::part what,
     const observed& recorded,
-    const purpose use,
     const samples& before,
     const samples& after,
     const covariance& known,
@@ -15,6 +14,9 @@ bool Foam::misfit::compare
     List<heldOut>& held
 )
 {
+    const purpose use =
+        what == heldOut::part::experiment ? recorded.use
+      : what == heldOut::part::validation ? purpose::validation : purpose::test;
     const stacked& data = recorded.of(use);
     const vec& from = before.of(use);
     const vec& to = after.of(use);
@@ -50,14 +52,10 @@ void Foam::misfit::compareHere
 {
     const observed& here = s.data();
     using part = heldOut::part;
+    compare(part::validation, here, before, after, known, s.set, held);
     compare
     (
-        part::validation, here, purpose::validation, before, after, known, s.set,
-        held
-    );
-    compare
-    (
-        part::test, here, purpose::test, before, after,
+        part::test, here, before, after,
         covariance(here.test, s.set.clockUncertainty), s.set, held
     );
 }

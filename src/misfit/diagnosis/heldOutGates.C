@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What an answer must pass at data that were held out.
 
-#include "gates.H"
+#include "stages.H"
 #include "elsewhere.H"
 
 namespace
@@ -61,7 +61,6 @@ gate heldOutGate
 gate degradesHeldOutGate
 (
     const study& s,
-    const models& m,
     const scored& best,
     const heldOut& h,
     const label number
@@ -75,8 +74,7 @@ gate degradesHeldOutGate
         worse
       ? statistics::chanceOfDegradation
         (
-            *m.calibration, *m.validation, best, h.before, h.after,
-            s.set.modelDiscrepancy
+            s.calibration, s.validation, best, h.before, h.after
         )
       : 1,
         s.set.significance
@@ -114,29 +112,22 @@ bool Foam::misfit::isConfirmed(const List<heldOut>& held, const rules& limits)
 }
 
 
-void Foam::misfit::askHeldOut
-(
-    const study& s,
-    const models& m,
-    const scored& best,
-    const List<heldOut>& held,
-    gateList& gates
-)
+void Foam::misfit::askHeldOut(const study& s, finding& f)
 {
     for (const gateKind k :
         {gateKind::heldOut, gateKind::transfer, gateKind::degradesHeldOut})
     {
-        gates.addNothing(k);
+        f.gates.addNothing(k);
     }
-    forAll(held, i)
+    forAll(f.held, i)
     {
-        if (held[i].use == purpose::validation)
+        if (f.held[i].use == purpose::validation)
         {
-            gates.add(heldOutGate(s.set, best.what, held[i], i));
+            f.gates.add(heldOutGate(s.set, f.best().what, f.held[i], i));
         }
-        if (held[i].what == heldOut::part::validation)
+        if (f.held[i].what == heldOut::part::validation)
         {
-            gates.add(degradesHeldOutGate(s, m, best, held[i], i));
+            f.gates.add(degradesHeldOutGate(s, f.best(), f.held[i], i));
         }
     }
 }

@@ -3,7 +3,7 @@
 
 #include "heldOut.H"
 #include "elsewhere.H"
-#include "uncertainty.H"
+#include "stages.H"
 
 namespace
 {
@@ -14,7 +14,7 @@ using namespace Foam::misfit;
 //- Samples with the sensor fault that was found, where it shows
 samples withFault
 (
-    const models& m,
+    const study& s,
     const scored& best,
     const observed& recorded,
     samples given
@@ -28,7 +28,7 @@ samples withFault
             (
                 recorded.of(use),
                 given.of(use),
-                m.calibration->model(best.what).ofFault(best.best.x)
+                s.calibration.model(best.what).ofFault(best.best.x)
             );
         }
     }
@@ -38,19 +38,14 @@ samples withFault
 
 //- What one standard deviation along each axis of what the calibration leaves
 //  uncertain changes in the variables, within their bounds
-std::vector<vec> calibrationSteps
-(
-    const study& s,
-    const models& m,
-    const scored& base
-)
+std::vector<vec> calibrationSteps(const study& s, const scored& base)
 {
     std::vector<vec> steps
     (
         statistics::stepsWithin
         (
-            m.calibration->model(base.what), whitener(base.covariance), base.best.x,
-            s.width.head(s.bounds.nParameters)
+            s.calibration.model(base.what), whitener(base.covariance), base.best.x,
+            s.bounds.width.head(s.bounds.nParameters)
         )
     );
     for (vec& step : steps)
@@ -158,19 +153,18 @@ covariance uncertainIn
 void predictIn
 (
     study& s,
-    const models& m,
     const explanations& e,
     const observed& other,
     const std::vector<vec>& steps,
     heldOutPredictions& all
 )
 {
-    const vec before = e.lookUp(m, e.baseline()).variables;
+    const vec before = e.lookUp(s, e.baseline()).variables;
     const bool validates = other.use == purpose::validation;
     List<runState> states
     ({
         s.state(other.experiment, before),
-        s.state(other.experiment, e.lookUp(m, e.best()).variables)
+        s.state(other.experiment, e.lookUp(s, e.best()).variables)
     });
     for (label k = 0; validates && k < count(steps); ++k)
     {
@@ -190,17 +184,16 @@ void predictIn
         }
         return;
     }
-    const samples after(withFault(m, e.best(), other, given[1]));
+    const samples after(withFault(s, e.best(), other, given[1]));
     compare
     (
-        heldOut::part::experiment, other, other.use, given[0], after, known,
-        s.set, all.held
+        heldOut::part::experiment, other, given[0], after, known, s.set, all.held
     );
     if (validates)
     {
         compare
         (
-            heldOut::part::testElsewhere, other, purpose::test, given[0], after,
+            heldOut::part::testElsewhere, other, given[0], after,
             covariance(other.test, s.set.clockUncertainty), s.set, all.held
         );
     }
@@ -212,35 +205,34 @@ void predictIn
 Foam::misfit::heldOutPredictions Foam::misfit::predictHeldOut
 (
     study& s,
-    const models& m,
     const explanations& e,
     const bool mayBeNothing
 )
 {
     heldOutPredictions all;
-    const computed before(e.lookUp(m, e.baseline()));
+    const computed before(e.lookUp(s, e.baseline()));
     const std::vector<vec> steps
     (
-        mayBeNothing ? calibrationSteps(s, m, e.baseline()) : std::vector<vec>()
+        mayBeNothing ? calibrationSteps(s, e.baseline()) : std::vector<vec>()
     );
-    const stacked& data = m.validation->data();
-    covariance known(data, m.validation->uncertainty());
+    const stacked& data = s.validation.data();
+    covariance known(s.validation.uncertainty());
     mat changes(data.size(), steps.size());
     for (label k = 0; data.size() && k < count(steps); ++k)
     {
         changes.col(k) =
-            m.validation->surface().slopes(before.variables)*steps[k];
+            s.validation.surface().slopes(before.variables)*steps[k];
     }
     known.addDirections("calibration", changes);
     compareHere
     (
         s, before.given,
-        withFault(m, e.best(), s.data(), e.lookUp(m, e.best()).given), known,
+        withFault(s, e.best(), s.data(), e.lookUp(s, e.best()).given), known,
         all.held
     );
     for (label i = 1; i < s.experiments.size(); ++i)
     {
-        predictIn(s, m, e, s.experiments[i], steps, all);
+        predictIn(s, e, s.experiments[i], steps, all);
     }
     return all;
 }

@@ -3,7 +3,7 @@
 // solver and fitted again.
 
 #include "refit.H"
-#include "detect.H"
+#include "stages.H"
 
 namespace
 {
@@ -12,25 +12,15 @@ using namespace Foam;
 using namespace Foam::misfit;
 
 //- Computes an explanation and notes what the solver gave
-scored computedAnew
-(
-    study& s,
-    const models& m,
-    explanations& e,
-    const scored& w
-)
+scored computedAnew(study& s, explanations& e, const scored& w)
 {
-    const refitted r(refit(s, *m.calibration, w));
-    e.forget(w.what);
-    if (r.failure.empty())
-    {
-        e.note({w.what, r.variables, r.given});
-    }
-    return r.best;
+    const computed c(refit(s, w));
+    e.note(c);
+    return c.best;
 }
 
 
-void preferAmongRivals(const study& s, const models& m, explanations& e)
+void preferAmongRivals(const study& s, explanations& e)
 {
     e.sort();
 
@@ -52,7 +42,7 @@ void preferAmongRivals(const study& s, const models& m, explanations& e)
         what.fault && what.fault->kind == faultKind::swapped;
     const bool whole =
         (what.mechanisms.size() || exchanged) && !what.unknown;
-    if (whole && scanResidual(s, *m.calibration, e.best()).p < s.set.adequacy)
+    if (whole && scanResidual(s, e.best()).p < s.set.adequacy)
     {
         hypothesis part(what);
         part.unknown = true;
@@ -63,7 +53,7 @@ void preferAmongRivals(const study& s, const models& m, explanations& e)
 } // End anonymous namespace
 
 
-Foam::misfit::refitted Foam::misfit::refit
+Foam::misfit::computed Foam::misfit::refit
 (
     const scored& start,
     const rules& limits,
@@ -71,7 +61,7 @@ Foam::misfit::refitted Foam::misfit::refit
     const refitting& with
 )
 {
-    refitted r;
+    computed r;
     r.best = start;
     scored least(start);
     scored onward(start);
@@ -83,7 +73,7 @@ Foam::misfit::refitted Foam::misfit::refit
         const samples given(with.compute(x));
         if (!given.ok() && !pass)
         {
-            Info<< "    not refitted: " << given.failure.c_str() << endl;
+            Info<< "    not computed: " << given.failure.c_str() << endl;
             r.failure = given.failure;
             return r;
         }
@@ -129,23 +119,18 @@ Foam::misfit::refitted Foam::misfit::refit
 }
 
 
-Foam::misfit::refitted Foam::misfit::refit
+Foam::misfit::computed Foam::misfit::refit
 (
     study& s,
-    const sampledModel& surface,
     const scored& start,
     const whitener* white
 )
 {
-    const auto local(surface.copy());
-    const auto score = [&]()
-    {
-        return local->score(s.set.modelDiscrepancy);
-    };
+    sampledModel local(s.calibration);
     refitting with;
     with.expand = [&](const scored& now)
     {
-        return local->model(now.what).expand(now.best.x);
+        return local.model(now.what).expand(now.best.x);
     };
     with.compute = [&](const vec& x)
     {
@@ -153,21 +138,23 @@ Foam::misfit::refitted Foam::misfit::refit
     };
     with.passThrough = [&](const vec& x, const samples& given)
     {
-        local->passThrough(x, given.calibration);
+        local.passThrough(x, given.calibration);
     };
     with.stay = [&](const scored& now)
     {
-        return white ? score().where(now, *white) : score().where(now);
+        const scoring score(local.score());
+        return white ? score.where(now, *white) : score.where(now);
     };
     with.fit = [&](const scored& now)
     {
-        return white ? score().again(now, *white) : score().withOwnCovariance(now);
+        const scoring score(local.score());
+        return white ? score.again(now, *white) : score.withOwnCovariance(now);
     };
-    return refit(start, s.set, s.width, with);
+    return refit(start, s.set, s.bounds.width, with);
 }
 
 
-void Foam::misfit::refitBest(study& s, const models& m, explanations& e)
+void Foam::misfit::refitBest(study& s, explanations& e)
 {
     Info<< "Refit of the best explanations" << endl;
     std::vector<scored>& all = e.all();
@@ -179,7 +166,7 @@ void Foam::misfit::refitBest(study& s, const models& m, explanations& e)
     {
         if (i < n || all[i].what.isNone())
         {
-            first.push_back(m.calibration->model(all[i].what).expand(all[i].best.x));
+            first.push_back(s.calibration.model(all[i].what).expand(all[i].best.x));
         }
     }
     s.means(first);
@@ -190,7 +177,7 @@ void Foam::misfit::refitBest(study& s, const models& m, explanations& e)
     {
         if (w.what.isNone())
         {
-            w = computedAnew(s, m, e, w);
+            w = computedAnew(s, e, w);
             done.push_back(w.what);
         }
     }
@@ -208,31 +195,25 @@ void Foam::misfit::refitBest(study& s, const models& m, explanations& e)
             break;
         }
         done.push_back(all[i].what);
-        all[i] = computedAnew(s, m, e, all[i]);
+        all[i] = computedAnew(s, e, all[i]);
     }
     e.sort();
 }
 
 
-void Foam::misfit::prefer
-(
-    study& s,
-    const models& m,
-    explanations& e,
-    const bool detected
-)
+void Foam::misfit::prefer(study& s, explanations& e, const bool detected)
 {
     std::vector<hypothesis> tried;
     for (label n = 0; n < s.set.refit + 2; ++n)
     {
-        preferAmongRivals(s, m, e);
+        preferAmongRivals(s, e);
         const hypothesis what(e.best().what);
         if (!detected || e.find(what) || statistics::contains(tried, what))
         {
             return;
         }
         tried.push_back(what);
-        e.all().front() = computedAnew(s, m, e, e.best());
+        e.all().front() = computedAnew(s, e, e.best());
     }
-    preferAmongRivals(s, m, e);
+    preferAmongRivals(s, e);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Candidates that cannot be the cause, before a run is spent on them.
 
-#include "screen.H"
+#include "stages.H"
 
 namespace
 {
@@ -43,13 +43,12 @@ bool isOpposite
 Foam::misfit::screened Foam::misfit::screen
 (
     const study& s,
-    const sampledModel& calibration,
     const scored& base,
     const std::vector<int>& never
 )
 {
     Info<< "Screening of the candidates" << endl;
-    const stacked& data = calibration.data();
+    const stacked& data = s.calibration.data();
     const whitener white(base.covariance);
     const vec sigma = base.covariance.diagonal().cwiseSqrt();
     std::vector<vec> changes;

@@ -5,25 +5,58 @@
 #include "study.H"
 #include "designs.H"
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::misfit::study::setVariables(const wordList& strengths)
+namespace
 {
-    names = strengths;
-    const label nP = set.parameters.size();
-    const label n = nP + strengths.size();
-    bounds.nParameters = nP;
-    bounds.mean = bounds.deviation = vec::Zero(n);
-    bounds.lower = bounds.upper = width = vec::Zero(n);
-    for (label i = 0; i < nP; ++i)
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+//- Of the parameters, with room for so many strengths after them
+variableBounds boundsOf(const List<parameter>& parameters, const label strengths)
+{
+    variableBounds b;
+    const label n = parameters.size() + strengths;
+    b.nParameters = parameters.size();
+    b.mean = b.deviation = b.lower = b.upper = b.width = vec::Zero(n);
+    forAll(parameters, i)
     {
-        const parameter& p = set.parameters[i];
-        bounds.mean[i] = p.mean;
-        width[i] = bounds.deviation[i] = p.deviation;
-        bounds.lower[i] = p.lower;
-        bounds.upper[i] = p.upper;
+        const parameter& p = parameters[i];
+        b.mean[i] = p.mean;
+        b.width[i] = b.deviation[i] = p.deviation;
+        b.lower[i] = p.lower;
+        b.upper[i] = p.upper;
     }
+    return b;
 }
+
+
+variableBounds withCandidates(const settings& set)
+{
+    variableBounds b(boundsOf(set.parameters, set.candidates.size()));
+    forAll(set.candidates, i)
+    {
+        b.upper[b.nParameters + i] = set.candidates[i].upper;
+        b.width[b.nParameters + i] = set.candidates[i].strong;
+    }
+    return b;
+}
+
+
+variableBounds withElements(const settings& set)
+{
+    variableBounds b(boundsOf(set.parameters, set.correction.size()));
+    forAll(set.correction, i)
+    {
+        const label k = b.nParameters + i;
+        const scalar size = set.correction[i].size;
+        b.width[k] = b.deviation[k] = size;
+        b.lower[k] = -4*size;
+        b.upper[k] = 4*size;
+    }
+    return b;
+}
+
+} // End anonymous namespace
 
 
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
@@ -32,29 +65,21 @@ Foam::misfit::study::study(sampler& s, const settings& set)
 :
     ask(s),
     set(set),
-    experiments(s.data())
-{
-    setVariables(namesOfAll(set.candidates));
-    forAll(set.candidates, i)
-    {
-        bounds.upper[bounds.nParameters + i] = set.candidates[i].upper;
-        width[bounds.nParameters + i] = set.candidates[i].strong;
-    }
-}
+    names(namesOfAll(set.candidates)),
+    bounds(withCandidates(set)),
+    experiments(s.data()),
+    calibration(data().calibration, bounds, set.clockUncertainty, set.modelDiscrepancy),
+    validation(data().validation, bounds, set.clockUncertainty, set.modelDiscrepancy)
+{}
 
 
 Foam::misfit::study Foam::misfit::study::ofCorrection() const
 {
     study other(*this);
-    other.setVariables(namesOfAll(set.correction));
-    forAll(set.correction, i)
-    {
-        const label k = bounds.nParameters + i;
-        const scalar size = set.correction[i].size;
-        other.width[k] = other.bounds.deviation[k] = size;
-        other.bounds.lower[k] = -4*size;
-        other.bounds.upper[k] = 4*size;
-    }
+    other.names = namesOfAll(set.correction);
+    other.bounds = withElements(set);
+    other.calibration.setVariables(other.bounds);
+    other.validation.setVariables(other.bounds);
     other.nRuns = 0;
     return other;
 }
@@ -116,32 +141,16 @@ void Foam::misfit::study::leaveOut(const runState& s, const string& why)
 }
 
 
-Foam::misfit::models::models(const study& s)
-:
-    calibration
-    (
-        new sampledModel
-        (
-            s.data().calibration, s.bounds, s.set.clockUncertainty
-        )
-    ),
-    validation
-    (
-        new sampledModel(s.data().validation, s.bounds, s.set.clockUncertainty)
-    )
-{}
-
-
 Foam::List<Foam::misfit::samples>
-Foam::misfit::models::addRuns(study& s, const std::vector<vec>& variables)
+Foam::misfit::study::addRuns(const std::vector<vec>& variables)
 {
-    const List<samples> given(s.means(variables));
+    const List<samples> given(means(variables));
     forAll(given, i)
     {
         if (given[i].ok())
         {
-            calibration->addRun(variables[i], given[i].calibration);
-            validation->addRun(variables[i], given[i].validation);
+            calibration.addRun(variables[i], given[i].calibration);
+            validation.addRun(variables[i], given[i].validation);
         }
     }
     return given;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What these channels can tell apart, and what measurement would settle the rest.
 
-#include "verdict.H"
+#include "stages.H"
 
 void Foam::misfit::tellApart
 (
     const study& s,
-    const sampledModel& calibration,
     const std::vector<int>& mechanisms,
     finding& f
 )
 {
+    const sampledModel& calibration = s.calibration;
     const scored& base = f.explained.baseline();
     const hypothesisModel model(calibration.model(base.what));
     const vec at = model.expand(base.best.x);
@@ -50,21 +50,16 @@ void Foam::misfit::tellApart
 }
 
 
-Foam::misfit::advice Foam::misfit::measurementBetween
-(
-    const study& s,
-    const models& m,
-    const explanations& e,
-    const std::vector<scored>& rivals
-)
+Foam::misfit::advice
+Foam::misfit::measurementBetween(const study& s, const finding& f)
 {
     advice result;
     std::vector<computed> two;
-    for (const scored& w : rivals)
+    for (const scored& w : f.alternatives)
     {
         if (two.size() < 2 && !w.what.isNone() && !w.what.isOnlyUnknown())
         {
-            two.push_back(e.lookUp(m, w));
+            two.push_back(f.explained.lookUp(s, w));
         }
     }
     if (two.size() < 2)
@@ -77,13 +72,13 @@ Foam::misfit::advice Foam::misfit::measurementBetween
         if (!c.given.possible.size() && possible.size())
         {
             result.what = advice::kind::notRun;
-            result.two = {c.what};
+            result.two = {c.best.what};
             return result;
         }
     }
 
     result.what = advice::kind::elsewhere;
-    result.two = {two[0].what, two[1].what};
+    result.two = {two[0].best.what, two[1].best.what};
     const vec& a = two[0].given.possible;
     const vec& b = two[1].given.possible;
     if (a.size() != possible.size() || b.size() != a.size())

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far simulation and recording may differ with nothing wrong.
 
-#include "uncertainty.H"
+#include "stages.H"
 
 namespace
 {
@@ -165,15 +165,15 @@ Foam::List<Foam::misfit::runState> Foam::misfit::uncertaintyRuns
 }
 
 
-void Foam::misfit::addUncertainty(study& s, models& m)
+void Foam::misfit::addUncertainty(study& s)
 {
     Info<< "Uncertainty" << endl;
     const settings& set = s.set;
     const List<runState> states(uncertaintyRuns(s, s.data().experiment));
     checkBases(s);
     const List<samples> given(s.run(states));
-    mat calibration(m.calibration->size(), 0);
-    mat validation(m.validation->size(), 0);
+    mat calibration(s.calibration.size(), 0);
+    mat validation(s.validation.size(), 0);
     forAll(given, i)
     {
         if (!given[i].ok())
@@ -192,12 +192,12 @@ void Foam::misfit::addUncertainty(study& s, models& m)
             const vec ofValidation =
                 given[i].validation - given.first().validation;
             checkChanges(states[i].resolution, ofCalibration, ofValidation);
-            m.calibration->addDifference(states[i].resolution, ofCalibration);
-            m.validation->addDifference(states[i].resolution, ofValidation);
+            s.calibration.addDifference(states[i].resolution, ofCalibration);
+            s.validation.addDifference(states[i].resolution, ofValidation);
         }
     }
     checkSpread(set.replicates, calibration.cols());
     checkReplicates(calibration, validation);
-    m.calibration->addRepeats(calibration, set.commonRandomNumbers);
-    m.validation->addRepeats(validation, set.commonRandomNumbers);
+    s.calibration.addRepeats(calibration, set.commonRandomNumbers);
+    s.validation.addRepeats(validation, set.commonRandomNumbers);
 }

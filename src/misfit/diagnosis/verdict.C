@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The verdict.
 
-#include "verdict.H"
-#include "detect.H"
+#include "stages.H"
 #include "HashSet.H"
 
 #include <algorithm>
@@ -226,10 +225,10 @@ void setStrengths(const study& s, finding& f)
 
 
 //- The best fit with nothing on but what is named
-runState namedState(const study& s, const models& m, const finding& f)
+runState namedState(const study& s, const finding& f)
 {
     const scored& best = f.best();
-    runState named(s.state(m.calibration->model(best.what).expand(best.best.x)));
+    runState named(s.state(s.calibration.model(best.what).expand(best.best.x)));
     for (const word& name : named.strengths.toc())
     {
         if (!f.names.found(name))
@@ -244,7 +243,7 @@ runState namedState(const study& s, const models& m, const finding& f)
 } // End anonymous namespace
 
 
-void Foam::misfit::decide(const study& s, const models& m, finding& f)
+void Foam::misfit::decide(const study& s, finding& f)
 {
     Info<< "Verdict" << endl;
     const settings& set = s.set;
@@ -262,7 +261,7 @@ void Foam::misfit::decide(const study& s, const models& m, finding& f)
     }
     if (f.verdict == verdictKind::named)
     {
-        f.answer.append(namedState(s, m, f));
+        f.answer.append(namedState(s, f));
     }
     if (f.verdict == verdictKind::set && f.weakened)
     {
@@ -270,11 +269,11 @@ void Foam::misfit::decide(const study& s, const models& m, finding& f)
     }
     else if (f.verdict == verdictKind::set)
     {
-        f.measure = measurementBetween(s, m, f.explained, f.alternatives);
+        f.measure = measurementBetween(s, f);
     }
     if (f.strengths.size() && !f.best().what.unknown)
     {
-        const std::vector<place> named(locateNamed(s, m, f));
+        const std::vector<place> named(locateNamed(s, f));
         f.located = named.size() ? named : f.located;
     }
     setConfidence(set, f);

@@ -76,7 +76,7 @@ void observeProbe(observer& o)
     o.read = [=, &c](const fileName& caseFolder)
     {
         const numberTable table(writtenTable(caseFolder, c.name, field));
-        if (table.notFound.size())
+        if (table.notFound)
         {
             FatalErrorInFunction
                 << "The channel " << c.name << " is at " << c.place()
@@ -123,7 +123,7 @@ void observeLevel(observer& o)
     o.read = [=, &c](const fileName& caseFolder)
     {
         const numberTable table(writtenTable(caseFolder, c.name, field));
-        if (table.notFound.size())
+        if (table.notFound)
         {
             FatalErrorInFunction
                 << "The line of the level " << c.name << " from "

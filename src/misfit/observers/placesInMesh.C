@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whether the places of the probes, and the heights of profiles, lie in the mesh.
 
-#include "placesInMesh.H"
-
+#include "observer.H"
 #include "keywords.H"
 #include "polyMesh.H"
 #include "StringStream.H"

@@ -2,7 +2,6 @@
 // Rows of numbers under names: of a recording, or of what a function object wrote.
 
 #include "numberTable.H"
-#include "quoted.H"
 #include "tableColumns.H"
 
 #include "OSspecific.H"
@@ -11,9 +10,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <functional>
 #include <iterator>
 #include <sstream>
+#include <stdexcept>
 
 namespace
 {
@@ -22,26 +21,6 @@ using namespace Foam;
 using namespace Foam::misfit;
 
 using cells = std::vector<std::string>;
-
-//- Calls with each line that holds something, without blanks before it, and its number
-void eachLine
-(
-    const fileName& file,
-    const std::function<void(const std::string&, label)>& take
-)
-{
-    std::ifstream is(file);
-    std::string line;
-    for (label n = 1; std::getline(is, line); ++n)
-    {
-        const auto first = line.find_first_not_of(" \t\r");
-        if (first != std::string::npos)
-        {
-            take(line.substr(first), n);
-        }
-    }
-}
-
 
 void addRow(numberTable& t, const cells& from, const label line)
 {
@@ -52,18 +31,11 @@ void addRow(numberTable& t, const cells& from, const label line)
 }
 
 
-void readNames(numberTable& t, const std::string& line)
+//- Fatal where a name is a number
+void checkNames(const numberTable& t)
 {
-    if (line.find_first_of(";\t") != std::string::npos)
+    for (const string& name : t.names)
     {
-        FatalErrorInFunction
-            << "The file " << t.file << " has semicolons or tabs. Write commas between"
-            << " the columns and points in the numbers: 0.5,1013"
-            << exit(FatalError);
-    }
-    for (const std::string& name : statistics::cellsOf(line))
-    {
-        t.names.append(name);
         if (!std::isnan(statistics::numberIn(name)))
         {
             FatalErrorInFunction
@@ -75,28 +47,19 @@ void readNames(numberTable& t, const std::string& line)
 }
 
 
-//- Fatal unless the cells are as many finite numbers as there are names
-void check(const numberTable& t, const cells& row, const label line)
+//- Fatal unless all are finite numbers
+void checkNumbers(const numberTable& t, const cells& row, const label line)
 {
-    if (label(row.size()) != t.names.size())
+    for (label i = 0; i < statistics::count(row); ++i)
     {
-        FatalErrorInFunction
-            << "Line " << line << " of " << t.file << " has "
-            << row.size() << " cells for " << t.names.size() << " columns:"
-            << quoted(t.names).c_str() << exit(FatalError);
-    }
-    const auto bad = std::find_if
-    (
-        row.begin(), row.end(),
-        [](const std::string& c) { return std::isnan(statistics::numberIn(c)); }
-    );
-    if (bad != row.end())
-    {
-        FatalErrorInFunction
-            << "Line " << line << " of " << t.file << " holds \"" << bad->c_str()
-            << "\" in the column " << t.names[bad - row.begin()]
-            << ", which is no finite number. Remove the line if nothing"
-            << " was recorded then" << exit(FatalError);
+        if (std::isnan(statistics::numberIn(row[i])))
+        {
+            FatalErrorInFunction
+                << "Line " << line << " of " << t.file << " holds \"" << row[i].c_str()
+                << "\" in the column " << t.names[i]
+                << ", which is no finite number. Remove the line if nothing"
+                << " was recorded then" << exit(FatalError);
+        }
     }
 }
 
@@ -110,26 +73,28 @@ cells wordsOf(const std::string& text)
 
 void addWritten(numberTable& t, const fileName& file)
 {
-    const auto take = [&t](std::string line, const label n)
+    std::ifstream is(file);
+    std::string line;
+    for (label n = 1; std::getline(is, line); ++n)
     {
-        if (line[0] != '#')
+        const auto first = std::min(line.find_first_not_of(" \t\r"), line.size());
+        if (line[first] == '#')
         {
-            for (const char between : {'(', ')', ','})
-            {
-                std::replace(line.begin(), line.end(), between, ' ');
-            }
-            addRow(t, wordsOf(line), n);
-            return;
+            const cells words(wordsOf(line.substr(first + 1)));
+            t.names.resize(words.size());
+            std::copy(words.begin(), words.end(), t.names.begin());
+            t.notFound = t.notFound || line.find("# Not Found") != std::string::npos;
+            continue;
         }
-        const cells words(wordsOf(line.substr(1)));
-        t.names.resize(words.size());
-        std::copy(words.begin(), words.end(), t.names.begin());
-        if (line.find("# Not Found") != std::string::npos && words.size() > 1)
+        for (const char between : {'(', ')', ','})
         {
-            t.notFound.append(std::atoi(words[1].c_str()));
+            std::replace(line.begin(), line.end(), between, ' ');
         }
-    };
-    eachLine(file, take);
+        if (const cells words(wordsOf(line)); words.size())
+        {
+            addRow(t, words, n);
+        }
+    }
 }
 
 
@@ -185,7 +150,7 @@ Foam::label Foam::misfit::numberTable::find(const string& name) const
         FatalErrorInFunction
             << "The table " << file << " has no column " << name
             << (isNumber ? ", counted from 1" : "")
-            << ". Its columns:" << quoted(names).c_str()
+            << ". Its columns:" << statistics::quoted(names).c_str()
             << ". Take one of these, or its number" << exit(FatalError);
     }
     return i;
@@ -232,32 +197,31 @@ Foam::string Foam::misfit::columnIn
 
 Foam::misfit::numberTable Foam::misfit::csvTable(const fileName& file)
 {
-    if (!isFile(file, false))
+    numberTable t;
+    t.file = file;
+    t.unitsFollow = true;
+    std::ifstream is(file);
+    if (!is)
     {
         FatalErrorInFunction
             << "There is no file " << file << exit(FatalError);
     }
-
-    numberTable t;
-    t.file = file;
-    t.unitsFollow = true;
-    const auto take = [&t](const std::string& line, const label n)
+    try
     {
-        if (line[0] == '#')
+        const statistics::textTable text(is, " of " + file);
+        t.names.resize(text.names.size());
+        std::copy(text.names.begin(), text.names.end(), t.names.begin());
+        checkNames(t);
+        for (label i = 0; i < statistics::count(text.rows); ++i)
         {
-            return;
+            checkNumbers(t, text.rows[i], text.lines[i]);
+            addRow(t, text.rows[i], text.lines[i]);
         }
-        if (t.names.empty())
-        {
-            readNames(t, line);
-            return;
-        }
-        const cells row(statistics::cellsOf(line));
-        check(t, row, n);
-        addRow(t, row, n);
-    };
-    eachLine(file, take);
-
+    }
+    catch (const std::invalid_argument& e)
+    {
+        FatalErrorInFunction << e.what() << exit(FatalError);
+    }
     if (t.rows.empty())
     {
         FatalErrorInFunction

@@ -36,13 +36,37 @@ void addHeld(json& facts, const correctionFound& c)
             gone.push_back(share + " % at " + describe(h));
         }
     }
-    const auto one = [](const string& words) { return words; };
     facts["held"] = c.held.size() > 0;
-    facts["gone"] = joined(gone, ", ", one);
-    facts["worse"] = joined(worse, " and ", one);
+    facts["gone"] = joined(gone, ", ");
+    facts["worse"] = joined(worse, " and ");
 }
 
 } // End anonymous namespace
+
+
+Foam::string Foam::misfit::describe(const correctionElement& e, const scalar value)
+{
+    const auto number = [](const scalar x) { return shortNumber(x, 3); };
+    json facts = {{e.family, true}};
+    if (e.family == "drag")
+    {
+        facts["factor"] = number(std::exp(value));
+        facts["voidFraction"] = number(e.voidFraction);
+        facts["Reynolds"] = number(e.Reynolds);
+        return said("element", facts);
+    }
+    const vector& d = e.direction;
+    facts["size"] = number(mag(value));
+    facts["against"] = value < 0;
+    facts["direction"] = number(d.x()) + ' ' + number(d.y()) + ' ' + number(d.z());
+    facts["place"] = number(e.place);
+    facts["from"] = number(e.place - e.reach.first());
+    facts["to"] = number(e.place + e.reach.second());
+    facts["time"] = number(e.time);
+    facts["begin"] = number(e.time - e.lasting.first());
+    facts["end"] = number(e.time + e.lasting.second());
+    return said("element", facts);
+}
 
 
 Foam::string Foam::misfit::describe(const fittedLaw& l)

@@ -5,8 +5,7 @@
 #include "record.H"
 #include "report.H"
 
-Foam::misfit::gateWords
-Foam::misfit::describe(const gate& g, const finding& f)
+Foam::misfit::json Foam::misfit::asked(const gate& g, const finding& f)
 {
     const auto number = [](const scalar x) { return shortNumber(x, 3); };
     const bool isCounted =
@@ -36,5 +35,12 @@ Foam::misfit::describe(const gate& g, const finding& f)
         facts["before"] = number(h.squareBefore);
         facts["after"] = number(h.squareAfter);
     }
-    return {said("asked", facts), said("value", facts), said("bound", facts)};
+    return
+    {
+        {"name", gateNames[g.kind]},
+        {"asked", said("asked", facts)},
+        {"value", said("value", facts)},
+        {"bound", said("bound", facts)},
+        {"result", g.applies ? g.passed ? "passed" : "failed" : "none"}
+    };
 }

@@ -107,24 +107,23 @@ void addAnswer(json& page, const finding& f)
 //- The first of them, with what each is behind the best
 json scoredFirst(const finding& f)
 {
-    std::vector<scored> list(f.explained.all());
-    sortByScore(list);
-    const scalar best = list.front().score;
+    std::vector<const scored*> list(f.explained.byScore());
+    const scalar best = list.front()->score;
     list.resize(std::min(list.size(), size_t(8)));
 
     // The same fault may be there with several sizes
     bool judged = false;
-    return each(list, [&](const scored& w) -> json
+    return each(list, [&](const scored* w) -> json
     {
-        const string name(describe(w.what, f.library));
+        const string name(describe(w->what, f.library));
         const bool isJudged = !judged && name == describe(f.best().what, f.library);
         judged = judged || isJudged;
         return
         {
             {"name", name},
             {"isJudged", isJudged},
-            {"behind", number(w.score - best)},
-            {"probability", percent(w.probability)}
+            {"behind", number(w->score - best)},
+            {"probability", percent(w->probability)}
         };
     });
 }

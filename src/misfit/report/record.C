@@ -5,7 +5,6 @@
 #include "report.H"
 #include "words.H"
 
-#include <algorithm>
 #include <cmath>
 
 namespace
@@ -22,20 +21,6 @@ constexpr label schema = 4;
 json deviation(const scalar value, const bool pinned)
 {
     return pinned ? json(nullptr) : json(value);
-}
-
-
-json asked(const misfit::gate& g, const finding& f)
-{
-    const gateWords words(describe(g, f));
-    return
-    {
-        {"name", gateNames[g.kind]},
-        {"asked", words.asked},
-        {"value", words.value},
-        {"bound", words.bound},
-        {"result", g.applies ? g.passed ? "passed" : "failed" : "none"}
-    };
 }
 
 
@@ -191,20 +176,15 @@ json uncertainty(const finding& f)
 //- Of each explanation, the likeliest first
 json posterior(const finding& f)
 {
-    std::vector<scored> list(f.explained.all());
-    std::stable_sort(list.begin(), list.end(), [](const scored& a, const scored& b)
-    {
-        return a.probability > b.probability;
-    });
     json all = json::array();
-    for (const scored& w : list)
+    for (const scored* w : f.explained.byScore())
     {
-        if (w.probability > 1e-4)
+        if (w->probability > 1e-4)
         {
             all.push_back
             ({
-                {"explanation", describe(w.what, f.library)},
-                {"probability", w.probability}
+                {"explanation", describe(w->what, f.library)},
+                {"probability", w->probability}
             });
         }
     }

@@ -9,9 +9,6 @@
 #include "clock.H"
 #include "HashSet.H"
 
-#include <iomanip>
-#include <sstream>
-
 namespace
 {
 
@@ -63,14 +60,6 @@ Foam::misfit::origin Foam::misfit::originOf
         from.experiments.append(experimentRow(recorded, name));
     }
     return from;
-}
-
-
-std::string Foam::misfit::shortNumber(const scalar value, const int digits)
-{
-    std::ostringstream os;
-    os << std::setprecision(digits) << value;
-    return os.str();
 }
 
 

@@ -6,21 +6,11 @@
 #include "report.H"
 #include "units.H"
 
-#include <cmath>
-
 namespace
 {
 
 using namespace Foam;
 using namespace Foam::misfit;
-
-scalar rounded(const scalar v)
-{
-    const scalar last =
-        std::pow(10.0, std::floor(std::log10(max(mag(v), VSMALL))) - 2);
-    return mag(v) <= VSMALL ? 0 : last*std::round(v/last);
-}
-
 
 const char* axisOf(const segment& s)
 {
@@ -70,7 +60,7 @@ Foam::string Foam::misfit::describe
 )
 {
     // Nought where it is far below its noise
-    vec u = unknowns.unaryExpr(&rounded);
+    vec u = unknowns.unaryExpr([](const scalar x) { return rounded(x, 3); });
     if (fault.kind == faultKind::dead && mag(u[0]) <= 0.01*at.uncertainty)
     {
         u[0] = 0;

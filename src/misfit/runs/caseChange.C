@@ -2,7 +2,6 @@
 // One entry of a case that a run has otherwise than the template.
 
 #include "caseChange.H"
-#include "fileDictionary.H"
 #include "keywords.H"
 #include "textFile.H"
 
@@ -33,6 +32,25 @@ Foam::string readValue(const Foam::dictionary& dict)
     return os.str();
 }
 
+
+//- While it lives, #include, #calc and $variables are kept as they stand
+class asTheyStand
+{
+    const int old_ = Foam::entry::disableFunctionEntries;
+
+public:
+
+    asTheyStand()
+    {
+        Foam::entry::disableFunctionEntries = 1;
+    }
+
+    ~asTheyStand()
+    {
+        Foam::entry::disableFunctionEntries = old_;
+    }
+};
+
 } // End anonymous namespace
 
 
@@ -44,37 +62,38 @@ void Foam::misfit::caseChange::applyToDictionary
     const string& value
 ) const
 {
-    fileDictionary file(path);
-    dictionary* dict = &file.content;
+    const asTheyStand keep;
+    IFstream is(path);
+    dictionary content;
+    content.name() = path;
+    content.read(is, true);
 
-    const fileName name(name_);
-    const wordList parts(name.components());
-    for (label i = 0; i + 1 < parts.size(); ++i)
+    const fileName scope(fileName(name_).path());
+    const word last(fileName(name_).name(), false);
+    dictionary* dict =
+        add_ ? content.makeScopedDict(scope) : content.findScopedDict(scope);
+    if (!dict)
     {
-        if (add_ && !dict->found(parts[i], keyType::LITERAL))
-        {
-            dict->add(parts[i], dictionary());
-        }
-        if (!dict->isDict(parts[i], keyType::LITERAL))
-        {
-            FatalErrorInFunction
-                << path << " has no dictionary " << parts[i] << " to change "
-                << name_.c_str() << " in. If it shall be new: add true;"
-                << exit(FatalError);
-        }
-        dict = &dict->subDict(parts[i], keyType::LITERAL);
+        FatalErrorInFunction
+            << path << " has no dictionary " << scope.c_str() << " to change "
+            << name_.c_str() << " in. If it shall be new: add true;" << exit(FatalError);
     }
-
-    if (!add_ && !dict->found(parts.last(), keyType::LITERAL))
+    if (!add_ && !dict->found(last, keyType::LITERAL))
     {
         FatalErrorInFunction
             << path << " has no entry " << name_.c_str()
             << " to change. If it shall be new: add true;  Entries there: "
             << keywords::listed(dict->toc()).c_str() << exit(FatalError);
     }
-    IStringStream is(parts.last() + ' ' + value + ';');
-    file.set(*dict, is);
-    file.write();
+    IStringStream text(last + ' ' + value + ';');
+    const autoPtr<entry> e(entry::New(text));
+    dict->set(e->clone(*dict).ptr());
+
+    // A copy may share the file by a link: it is replaced, never written into
+    OStringStream os;
+    os.precision(12);
+    content.write(os, false);
+    writeWhole(path, os.str());
 }
 
 
@@ -109,7 +128,6 @@ void Foam::misfit::caseChange::applyToScript
             << name_.c_str() << " equal ...\"; one is needed to change it"
             << exit(FatalError);
     }
-    // A copy may share the file by a link: it is replaced, never written into
     writeWhole(path, text);
 }
 

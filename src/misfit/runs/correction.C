@@ -104,33 +104,6 @@ word numbered(const word& family, const label i, const label j)
 } // End anonymous namespace
 
 
-Foam::string Foam::misfit::describe
-(
-    const correctionElement& e,
-    const scalar value
-)
-{
-    OStringStream os;
-    os.precision(3);
-    if (e.family == "push")
-    {
-        os << "a push of " << mag(value) << " N/m3 on the water "
-            << (value < 0 ? "against" : "along") << " (" << e.direction.x()
-            << ' ' << e.direction.y() << ' ' << e.direction.z() << ") at "
-            << e.place << " m (" << e.place - e.reach.first() << " to "
-            << e.place + e.reach.second() << "), around " << e.time << " s ("
-            << e.time - e.lasting.first() << " to "
-            << e.time + e.lasting.second() << ')';
-    }
-    else
-    {
-        os << std::exp(value) << " times the drag around the void fraction "
-            << e.voidFraction << " and the Reynolds number " << e.Reynolds;
-    }
-    return os.str();
-}
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::misfit::correction::readPush(const dictionary& dict)

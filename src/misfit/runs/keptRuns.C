@@ -2,6 +2,7 @@
 // A file of runs that grows while they are made.
 
 #include "keptRuns.H"
+#include "shortNumber.H"
 #include "textFile.H"
 
 #include "clockTime.H"
@@ -17,15 +18,6 @@ namespace
 
 using namespace Foam;
 using namespace Foam::misfit;
-
-//- To four digits
-scalar rounded(const scalar y)
-{
-    char text[32];
-    std::snprintf(text, sizeof(text), "%.4g", y);
-    return std::strtod(text, nullptr);
-}
-
 
 series readSeries(const std::string& line)
 {

@@ -79,17 +79,6 @@ struct runEnd
 };
 
 
-//- True if one of the commands has that program
-bool has(const stringList& commands, const char* program)
-{
-    return std::any_of
-    (
-        commands.cbegin(), commands.cend(),
-        [program](const string& c) { return c.find(program) != string::npos; }
-    );
-}
-
-
 string inQuotes(const fileName& path)
 {
     return "'" + path + "'";
@@ -212,7 +201,11 @@ Foam::misfit::runStore::runStore
         folder,
         dict.getOrDefault("files", fileNameList()),
         dictName_.name(),
-        has(commands_, "blockMesh")
+        std::any_of
+        (
+            commands_.cbegin(), commands_.cend(),
+            [](const string& c) { return c.find("blockMesh") != string::npos; }
+        )
     ),
     ranks_(dict.getOrDefault<label>("ranks", 1)),
     jobs_

@@ -3,7 +3,6 @@
 
 #include "solverPredictor.H"
 #include "failureOf.H"
-#include "fileDictionary.H"
 #include "keywords.H"
 
 #include "IFstream.H"
@@ -11,27 +10,6 @@
 #include "SHA1.H"
 
 #include <cmath>
-
-namespace
-{
-
-using namespace Foam;
-
-//- Adds function objects to the controlDict of a case
-void addFunctions(const fileName& caseFolder, const dictionary& functions)
-{
-    misfit::fileDictionary control(caseFolder/"system"/"controlDict");
-    dictionary& all = control.content;
-    if (!all.found("functions"))
-    {
-        all.add("functions", dictionary());
-    }
-    all.subDict("functions").merge(functions);
-    control.write();
-}
-
-} // End anonymous namespace
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -76,29 +54,19 @@ Foam::misfit::solverPredictor::changes(const runState& state) const
 }
 
 
-Foam::dictionary Foam::misfit::solverPredictor::functions
-(
-    const word& experiment
-) const
-{
-    dictionary dict;
-    for (const observer& o : observers_)
-    {
-        if (o.of.experiment == experiment && o.measured.size())
-        {
-            dict.add(o.of.name, o.measured);
-        }
-    }
-    return dict;
-}
-
-
 Foam::misfit::wantedRun
 Foam::misfit::solverPredictor::wanted(const runState& state) const
 {
     const auto list(changes(state));
     const word experiment(state.experiment);
-    const dictionary measured(functions(experiment));
+    dictionary measured;
+    for (const observer& o : observers_)
+    {
+        if (o.of.experiment == experiment && o.measured.size())
+        {
+            measured.add(o.of.name, o.measured);
+        }
+    }
 
     OStringStream os;
     for (const auto& c : list)
@@ -120,7 +88,14 @@ Foam::misfit::solverPredictor::wanted(const runState& state) const
             const dictionary control(is);
             checkTables(control, experiment);
             checkEnd(control, experiment);
-            addFunctions(caseFolder, measured);
+            for (const entry& e : measured)
+            {
+                OStringStream text;
+                text.precision(12);
+                e.dict().write(text);
+                caseChange("system/controlDict", "functions/" + e.keyword(), text.str())
+                    .apply(caseFolder, 0);
+            }
         }
     };
 }

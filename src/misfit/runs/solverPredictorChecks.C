@@ -3,10 +3,9 @@
 // first.
 
 #include "solverPredictor.H"
-#include "placesInMesh.H"
-#include "willBeWritten.H"
 
 #include "OSspecific.H"
+#include "polyMesh.H"
 #include "Time.H"
 
 #include <algorithm>
@@ -224,16 +223,16 @@ void Foam::misfit::solverPredictor::checkTables
     {
         return;
     }
-    for (const channel& c : recordings_.channels())
+    for (const observer& o : observers_)
     {
         const string doubt
         (
-            c.experiment == experiment ? doubtOfTable(c, control) : string()
+            o.of.experiment == experiment ? o.doubtOfTable(control) : string()
         );
         if (doubt.size())
         {
             WarningInFunction
-                << "The channel " << c.name << ' ' << doubt.c_str() << endl;
+                << "The channel " << o.of.name << ' ' << doubt.c_str() << endl;
         }
     }
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a case will write for its channels, as far as its controlDict tells.
 
-#include "willBeWritten.H"
-
+#include "observer.H"
 #include "keywords.H"
 #include "numberTable.H"
 #include "StringStream.H"
@@ -61,8 +60,9 @@ rhythm rhythmOf(const dictionary& function, const dictionary& control)
 } // End anonymous namespace
 
 
-Foam::string Foam::misfit::doubtOfTable(const channel& c, const dictionary& control)
+Foam::string Foam::misfit::observer::doubtOfTable(const dictionary& control) const
 {
+    const channel& c = of;
     const word name(c.simulated.getOrDefault<word>("function", word()));
     const dictionary functions(keywords::sub(control, "functions"));
     if (name.empty() || functions.empty())
