@@ -180,7 +180,7 @@ Foam::scalar Foam::misfit::concealedSide::difference(const label run)
 {
     const runState& state = states_[run];
     const prediction now(keptRuns::reduced(solver_.predict({state})[0], step));
-    const prediction* then = emulator_->find(state);
+    const prediction* then = emulator_ ? emulator_->find(state) : nullptr;
     if (!now.ok() || !then || !then->ok())
     {
         return GREAT;
