@@ -485,3 +485,36 @@ TEST_F(ParallelTank, originsOfAllRanksAreWritten)
     }
     alarm(0);
 }
+
+
+TEST_F(ParallelTank, grainsOfAllRanksThatHaveLeftCountForTheDepth)
+{
+    alarm(60);
+
+    labelList& ids = grains_.grains.id;
+    for (label& id : ids)
+    {
+        id += 100*Pstream::myProcNo();
+    }
+    const string settings("sections (0.5); sectionWidth 2;");
+    functionObjects::displacedGrains moved("moved", box_.time(), dict(settings));
+    ++box_.time();
+    moved.execute();
+
+    // One of each rank leaves
+    ids[7] = 1000*(1 + Pstream::myProcNo());
+    ++box_.time();
+    moved.write();
+
+    if (Pstream::master())
+    {
+        const scalar V = constant::mathematical::pi*pow3(0.02)/6;
+        EXPECT_NEAR
+        (
+            lastLine("moved", "displacedGrains")[7],
+            Pstream::nProcs()*V/(0.6*2),
+            1e-9
+        );
+    }
+    alarm(0);
+}
