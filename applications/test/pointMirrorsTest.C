@@ -3,6 +3,7 @@
 
 #include "testNumber.H"
 #include "testPoints.H"
+#include "testWalls.H"
 
 #include <gtest/gtest.h>
 
@@ -11,40 +12,8 @@ using namespace Foam;
 namespace
 {
 
-//- A slice 1 m long and high on a base, in cells of 50 mm
+//- Cells of the slice [m]
 const scalar h = 0.05;
-
-
-pointGrid slice()
-{
-    return pointGrid
-    (
-        boundBox(point(0, 0, 0), point(1, 0.1, 1)),
-        h,
-        Vector<bool>(true, false, true)
-    );
-}
-
-
-//- A face of a wall from a to b in the plane of the slice, points to its left
-void addFace
-(
-    pointWalls& walls,
-    const label wall,
-    const vector2D& a,
-    const vector2D& b
-)
-{
-    walls.addFace
-    (
-        wall,
-        pointField
-        ({
-            {a.x(), 0, a.y()}, {a.x(), 0.1, a.y()},
-            {b.x(), 0.1, b.y()}, {b.x(), 0, b.y()}
-        })
-    );
-}
 
 
 //- The node at a place

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unit tests: walls of material points that are not on lines of the grid.
 
-#include "pointWalls.H"
+#include "testWalls.H"
 
 #include <gtest/gtest.h>
 
@@ -9,39 +9,6 @@ using namespace Foam;
 
 namespace
 {
-
-//- A slice 1 m long and high, in cells of 50 mm
-pointGrid slice()
-{
-    return pointGrid
-    (
-        boundBox(point(0, 0, 0), point(1, 0.1, 1)),
-        0.05,
-        Vector<bool>(true, false, true)
-    );
-}
-
-
-//- A face of a wall from a to b in the plane of the slice; points lie to its left
-void addFace
-(
-    pointWalls& walls,
-    const label wall,
-    const vector2D& a,
-    const vector2D& b
-)
-{
-    walls.addFace
-    (
-        wall,
-        pointField
-        ({
-            {a.x(), 0, a.y()}, {a.x(), 0.1, a.y()},
-            {b.x(), 0.1, b.y()}, {b.x(), 0, b.y()}
-        })
-    );
-}
-
 
 //- Largest distance of a point from where the walls put it back, of points at
 //  a distance [m], negative behind them, on the line from a to b
