@@ -47,16 +47,19 @@ Foam::DynamicList<Foam::grainOrigins::record> Foam::grainOrigins::of
     {
         for (record r : some)
         {
-            if (!origins_.found(r.id))
-            {
+            if
+            (
                 origins_.insert
                 (
                     r.id, origin{r.x, clock_.value(), r.d, r.type}
-                );
+                )
+            )
+            {
                 grown_ = true;
             }
-            origins_[r.id].look = looks_;
-            r.origin = origins_[r.id].x;
+            origin& first = origins_[r.id];
+            first.look = looks_;
+            r.origin = first.x;
             r.displacement = images_.shortest(r.x - r.origin);
             mine.append(r);
         }
