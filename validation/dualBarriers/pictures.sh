@@ -1,15 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Pictures, of the runs that were made here. Sourced by Allrun.
 
-# momentOf name time: the table of points nearest to that time
-momentOf()
-{
-    ls -d "$(tablesOf "$1")"/view/*/grains.dat 2>/dev/null | awk -F/ -v at="$2" '
-        { d = $(NF - 1) > at ? $(NF - 1) - at : at - $(NF - 1)
-          if (!n++ || d < least) { least = d; v = $0 } }
-        END { print v }'
-}
-
 # drawRun name picture from to height times...: the debris by its speed, after impact
 drawRun()
 {
@@ -22,7 +13,7 @@ drawRun()
     [ -n "$impact" ] || impact="$(quickly "$name-quick" impact)"
     for time
     do
-        table="$(momentOf "$name" "$(calculate "a + b" "$impact" "$time")")"
+        table="$(tableAt "$(at "$impact" "$time")" "$folder/postProcessing")" || return 0
         panels="$panels
 set title '$time s after impact' offset 0,-0.8
 plot '$table' using 1:3:(\$4/2):5 with circles linecolor palette fillstyle solid noborder"
