@@ -90,7 +90,7 @@ TEST(misfitStability, thatASetHangsOnAChannelCountsAgainstIt)
 
 TEST(misfitStability, aSetThatHangsOnAChannelSaysWhereBothAtOnceAreAsGood)
 {
-    const finding both(ofTwoGauges(4, 1, false));
+    const finding both(ofTwoGauges(0, 1, false));
     const finding one(ofTwoGauges(4, 0, false));
     ASSERT_EQ(both.verdict, verdictKind::set);
     ASSERT_EQ(one.verdict, verdictKind::set);

@@ -248,6 +248,22 @@ TEST(misfitFit, variancesHaveAnyUnitsAndAFlatDirectionIsNotKnown)
 }
 
 
+TEST(misfitFit, variablesOfNearlyTheSameEffectAreFittedToTheEnd)
+{
+    // Along the coordinates it would take thousands of turns
+    straightLine l(threePoints());
+    l.a << 1, 1, 1, 1.01, 1, 1.02;
+    l.priorDeviation.setZero();
+    const vec truth = vec{{-40., 42.}};
+    const fitted best
+    (
+        statistics::fit(l, vec(l.a*truth), whitener(mat::Identity(3, 3)))
+    );
+    EXPECT_LT(best.misfit, 1e-6);
+    EXPECT_NEAR((best.x - truth).norm(), 0, 0.1);
+}
+
+
 TEST(misfitFit, aBoundHoldsAndIsTold)
 {
     straightLine l(threePoints());

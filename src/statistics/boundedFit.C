@@ -4,6 +4,8 @@
 #include "boundedFit.H"
 
 #include <cmath>
+#include <nlopt.hpp>
+#include <stdexcept>
 
 namespace
 {
@@ -102,6 +104,117 @@ void findCovariance
 }
 
 
+//- Half the objective as NLopt asks for it, of variables in units of their own
+struct problem
+{
+    const fittedModel& model;
+
+    const vec& y;
+
+    const whitener& white;
+
+    //- In which the curvature is 1 at the start: no variable outweighs the others
+    vec units;
+
+    fitted at;
+
+
+    double operator()(const std::vector<double>& scaled, std::vector<double>& slopes)
+    {
+        at.x = meant(scaled);
+        evaluate(model, y, white, at);
+        if (slopes.size())
+        {
+            const vec away = priorWeight(model).cwiseProduct(at.x - model.mean());
+            const vec misfit = white(vec(y - at.f));
+            Eigen::Map<vec>(slopes.data(), slopes.size()) = units.cwiseProduct
+            (
+                away - white(model.slopes(at.x)).transpose()*misfit
+            );
+        }
+        return at.objective/2;
+    }
+
+    std::vector<double> scaled(const vec& x) const
+    {
+        const vec z = x.cwiseQuotient(units);
+        return std::vector<double>(z.begin(), z.end());
+    }
+
+    vec meant(const std::vector<double>& scaled) const
+    {
+        return units.cwiseProduct
+        (
+            Eigen::Map<const vec>(scaled.data(), scaled.size())
+        );
+    }
+
+    static double value
+    (
+        const std::vector<double>& scaled,
+        std::vector<double>& slopes,
+        void* whole
+    )
+    {
+        return (*static_cast<problem*>(whole))(scaled, slopes);
+    }
+};
+
+
+//- Curvature is none in a direction that the data do not tell
+vec unitsAt(const fittedModel& model, const whitener& white, const vec& x)
+{
+    const vec curved =
+        curvature(white(model.slopes(x)), priorWeight(model)).diagonal();
+    const vec range = model.upper() - model.lower();
+    return curved.cwiseMax(range.cwiseMax(tiny).cwiseAbs2().cwiseInverse())
+        .cwiseSqrt().cwiseInverse();
+}
+
+
+//- x, or what of it is within the bounds: scaling to and fro may leave these
+vec inside(const fittedModel& model, const vec& x)
+{
+    return x.cwiseMax(model.lower()).cwiseMin(model.upper());
+}
+
+
+//- The best that one search finds from x
+fitted searched
+(
+    const fittedModel& model,
+    const vec& y,
+    const whitener& white,
+    const vec& x
+)
+{
+    problem p{model, y, white, unitsAt(model, white, x), fitted()};
+    std::vector<double> best = p.scaled(inside(model, x));
+    if (best.size())
+    {
+        nlopt::opt search(nlopt::LD_SLSQP, best.size());
+        search.set_lower_bounds(p.scaled(model.lower()));
+        search.set_upper_bounds(p.scaled(model.upper()));
+        search.set_min_objective(&problem::value, &p);
+        search.set_ftol_rel(1e-10);
+        search.set_ftol_abs(1e-10);
+        search.set_maxeval(500);
+        try
+        {
+            double least;
+            search.optimize(best, least);
+        }
+        catch (const std::runtime_error&)
+        {
+            // No step leads on from there, by as much as numbers can tell
+        }
+    }
+    p.at.x = inside(model, p.meant(best));
+    evaluate(model, y, white, p.at);
+    return p.at;
+}
+
+
 fitted fitFrom
 (
     const fittedModel& model,
@@ -110,50 +223,26 @@ fitted fitFrom
     const vec& start
 )
 {
-    const vec lower = model.lower();
-    const vec upper = model.upper();
-    const vec prior = priorWeight(model);
-    const vec mean = model.mean();
+    vec x = start;
+    fitted best;
+    best.objective = large;
 
-    fitted now;
-    now.x = start.cwiseMax(lower).cwiseMin(upper);
-    evaluate(model, y, white, now);
-
-    double damping = 1e-4;
-    for (int iteration = 0; iteration < 60 && damping < 1e8; ++iteration)
+    // From where it ended, in units of that place, as long as this gains
+    for (int pass = 0; pass < 10; ++pass)
     {
-        const mat slopes = white(model.slopes(now.x));
-        mat a = curvature(slopes, prior);
-        const vec b =
-            slopes.transpose()*white(vec(y - now.f))
-          - prior.cwiseProduct(now.x - mean);
-        a.diagonal() += damping*a.diagonal().cwiseMax(tiny);
-
-        fitted next;
-        next.x =
-            now.x
-          + boxMinimum
-            (
-                a, b, lower - now.x, upper - now.x, vec::Zero(now.x.size())
-            );
-        evaluate(model, y, white, next);
-
-        if (next.objective < now.objective)
+        const fitted next(searched(model, y, white, x));
+        const double gain = best.objective - next.objective;
+        if (gain > 0)
         {
-            const double gain = now.objective - next.objective;
-            now = next;
-            damping *= 0.2;
-            if (gain < 1e-8*(1 + now.objective))
-            {
-                break;
-            }
+            best = next;
+            x = best.x;
         }
-        else
+        if (gain < 1e-8*(1 + best.objective))
         {
-            damping *= 8;
+            break;
         }
     }
-    return now;
+    return best;
 }
 
 } // End anonymous namespace
@@ -173,38 +262,6 @@ statistics::mat statistics::covarianceWithin
         weight[i] = weight[i] > 0 ? weight[i] : 1/sqr(std::max(range[i], small));
     }
     return inverted(curvature(white(model.slopes(x)), weight));
-}
-
-
-statistics::vec statistics::boxMinimum
-(
-    const mat& a,
-    const vec& b,
-    const vec& lower,
-    const vec& upper,
-    vec x
-)
-{
-    for (int sweep = 0; sweep < 500; ++sweep)
-    {
-        double moved = 0;
-        for (int i = 0; i < x.size(); ++i)
-        {
-            if (a(i, i) <= 0)
-            {
-                continue;
-            }
-            const double old = x[i];
-            const double free = old + (b[i] - a.row(i).dot(x))/a(i, i);
-            x[i] = std::min(std::max(free, lower[i]), upper[i]);
-            moved += a(i, i)*sqr(x[i] - old);
-        }
-        if (moved < 1e-16*(1 + b.dot(x)*b.dot(x)))
-        {
-            break;
-        }
-    }
-    return x;
 }
 
 

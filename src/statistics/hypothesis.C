@@ -207,7 +207,12 @@ std::vector<statistics::vec> statistics::hypothesisModel::starts() const
     std::vector<vec> all;
     for (const vec& u : fault_ ? fault_->starts : std::vector<vec>(1))
     {
+        // Samples are quadratic in a strength, their misfit has up to two minima
         all.push_back(join(bounds_.mean, start_, u));
+        if (upper_.size())
+        {
+            all.push_back(join(bounds_.mean, upper_, u));
+        }
     }
     return all;
 }
