@@ -142,6 +142,36 @@ TEST(misfitScoring, numbersAloneNameAMechanism)
 }
 
 
+TEST(misfitScoring, theBetterOfTwoMinimaIsFound)
+{
+    // Two numbers: one is the same at 0.15 and 0.95, the other tells them apart
+    stacked data(numbers(scalarList(2, 1.0)));
+    const auto at = [](const scalar strength)
+    {
+        return vec{{20*(strength - 0.15)*(strength - 0.95), strength}};
+    };
+    data.y = at(0.95);
+    variableBounds bounds;
+    bounds.nParameters = 0;
+    bounds.mean = bounds.deviation = bounds.lower = vec::Zero(1);
+    bounds.upper = bounds.width = vec::Ones(1);
+    const mat x = vec{{0., 0.5, 1.}}.transpose();
+    mat y(2, 3);
+    y << at(0), at(0.5), at(1);
+    const statistics::responseSurface surface(x, y, bounds.mean, bounds.width);
+    hypothesis h;
+    h.mechanisms = {0};
+    const scored found
+    (
+        scoring(data, surface, bounds, covariance(data, 0)).withBaseCovariance
+        (
+            h, statistics::whitener(0.01*mat::Identity(2, 2))
+        )
+    );
+    EXPECT_NEAR(found.best.x[0], 0.95, 1e-3);
+}
+
+
 TEST(misfitScoring, slopesOfAFaultyModelAreDifferences)
 {
     world w(20);

@@ -250,7 +250,7 @@ TEST(misfitFit, variancesHaveAnyUnitsAndAFlatDirectionIsNotKnown)
 
 TEST(misfitFit, variablesOfNearlyTheSameEffectAreFittedToTheEnd)
 {
-    // Along the coordinates it would take thousands of turns
+    // Columns that are nearly parallel
     straightLine l(threePoints());
     l.a << 1, 1, 1, 1.01, 1, 1.02;
     l.priorDeviation.setZero();
@@ -261,6 +261,32 @@ TEST(misfitFit, variablesOfNearlyTheSameEffectAreFittedToTheEnd)
     );
     EXPECT_LT(best.misfit, 1e-6);
     EXPECT_NEAR((best.x - truth).norm(), 0, 0.1);
+}
+
+
+TEST(misfitFit, aVariableWhoseBoundsAreTheSameStays)
+{
+    for (const scalar at : {0., 1000.})
+    {
+        straightLine l(threePoints());
+        l.priorDeviation.setZero();
+        l.least[0] = l.most[0] = l.priorMean[0] = at;
+        const vec y = vec{{at, at + 2, at + 4}};
+        const fitted best(statistics::fit(l, y, whitener(mat::Identity(3, 3))));
+        EXPECT_EQ(best.x[0], at);
+        EXPECT_NEAR(best.x[1], 2, 1e-6);
+    }
+}
+
+
+TEST(misfitFit, whatIsBeyondAllScoresIsAnError)
+{
+    const vec y = vec{{1e9, 0., 0.}};
+    EXPECT_THROW
+    (
+        statistics::fit(threePoints(), y, whitener(mat::Identity(3, 3))),
+        std::domain_error
+    );
 }
 
 

@@ -3,7 +3,9 @@
 
 #include "boundedFit.H"
 
+#include <algorithm>
 #include <cmath>
+#include <exception>
 #include <nlopt.hpp>
 #include <stdexcept>
 
@@ -118,6 +120,9 @@ struct problem
 
     fitted at;
 
+    //- What the model threw: NLopt keeps no more than that it did
+    std::exception_ptr thrown;
+
 
     double operator()(const std::vector<double>& scaled, std::vector<double>& slopes)
     {
@@ -156,19 +161,31 @@ struct problem
         void* whole
     )
     {
-        return (*static_cast<problem*>(whole))(scaled, slopes);
+        problem& p = *static_cast<problem*>(whole);
+        try
+        {
+            return p(scaled, slopes);
+        }
+        catch (...)
+        {
+            p.thrown = std::current_exception();
+            throw nlopt::forced_stop();
+        }
     }
 };
 
 
-//- Curvature is none in a direction that the data do not tell
+//- In which the curvature at x is 1; where the data tell nothing, of its range
 vec unitsAt(const fittedModel& model, const whitener& white, const vec& x)
 {
-    const vec curved =
-        curvature(white(model.slopes(x)), priorWeight(model)).diagonal();
+    vec units = curvature(white(model.slopes(x)), priorWeight(model)).diagonal();
     const vec range = model.upper() - model.lower();
-    return curved.cwiseMax(range.cwiseMax(tiny).cwiseAbs2().cwiseInverse())
-        .cwiseSqrt().cwiseInverse();
+    for (int i = 0; i < units.size(); ++i)
+    {
+        const double most = range[i] > 0 && range[i] < large ? range[i] : 1;
+        units[i] = units[i] > 0 ? std::min(1/std::sqrt(units[i]), most) : most;
+    }
+    return units;
 }
 
 
@@ -188,7 +205,7 @@ fitted searched
     const vec& x
 )
 {
-    problem p{model, y, white, unitsAt(model, white, x), fitted()};
+    problem p{model, y, white, unitsAt(model, white, x), fitted(), nullptr};
     std::vector<double> best = p.scaled(inside(model, x));
     if (best.size())
     {
@@ -196,6 +213,9 @@ fitted searched
         search.set_lower_bounds(p.scaled(model.lower()));
         search.set_upper_bounds(p.scaled(model.upper()));
         search.set_min_objective(&problem::value, &p);
+
+        // Scores are told apart by 1; what does not end in so many steps goes on from
+        // there in another pass
         search.set_ftol_rel(1e-10);
         search.set_ftol_abs(1e-10);
         search.set_maxeval(500);
@@ -206,7 +226,11 @@ fitted searched
         }
         catch (const std::runtime_error&)
         {
-            // No step leads on from there, by as much as numbers can tell
+            // It ends as well where no step leads on, by as much as numbers can tell
+            if (p.thrown)
+            {
+                std::rethrow_exception(p.thrown);
+            }
         }
     }
     p.at.x = inside(model, p.meant(best));
@@ -223,23 +247,17 @@ fitted fitFrom
     const vec& start
 )
 {
-    vec x = start;
-    fitted best;
-    best.objective = large;
+    fitted best(searched(model, y, white, start));
 
     // From where it ended, in units of that place, as long as this gains
-    for (int pass = 0; pass < 10; ++pass)
+    double gain = best.objective;
+    for (int pass = 0; pass < 10 && gain > 1e-8*(1 + best.objective); ++pass)
     {
-        const fitted next(searched(model, y, white, x));
-        const double gain = best.objective - next.objective;
+        const fitted next(searched(model, y, white, best.x));
+        gain = best.objective - next.objective;
         if (gain > 0)
         {
             best = next;
-            x = best.x;
-        }
-        if (gain < 1e-8*(1 + best.objective))
-        {
-            break;
         }
     }
     return best;
@@ -281,6 +299,10 @@ statistics::fitted statistics::fit
         {
             best = one;
         }
+    }
+    if (best.objective == large)
+    {
+        throw std::domain_error("a fit came to no number: its model, data or bounds have none");
     }
     findCovariance(model, white, best);
     return best;

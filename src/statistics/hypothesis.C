@@ -207,9 +207,10 @@ std::vector<statistics::vec> statistics::hypothesisModel::starts() const
     std::vector<vec> all;
     for (const vec& u : fault_ ? fault_->starts : std::vector<vec>(1))
     {
-        // Samples are quadratic in a strength, their misfit has up to two minima
+        // Samples are quadratic in a strength, their misfit may have two minima: from
+        // low strengths, and from the largest
         all.push_back(join(bounds_.mean, start_, u));
-        if (upper_.size())
+        if (start_.any())
         {
             all.push_back(join(bounds_.mean, upper_, u));
         }
