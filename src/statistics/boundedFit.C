@@ -26,8 +26,8 @@ vec priorWeight(const fittedModel& model)
 }
 
 
-//- Sets f, misfit and objective at x
-void evaluate
+//- Sets f, misfit and objective at x; returns the whitened misfit
+vec evaluate
 (
     const fittedModel& model,
     const vec& y,
@@ -36,10 +36,12 @@ void evaluate
 )
 {
     at.f = model(at.x);
-    at.misfit = white(vec(y - at.f)).squaredNorm();
+    const vec misfit = white(vec(y - at.f));
+    at.misfit = misfit.squaredNorm();
     at.objective =
         at.misfit
       + priorWeight(model).dot((at.x - model.mean()).cwiseAbs2());
+    return misfit;
 }
 
 
@@ -127,11 +129,10 @@ struct problem
     double operator()(const std::vector<double>& scaled, std::vector<double>& slopes)
     {
         at.x = meant(scaled);
-        evaluate(model, y, white, at);
+        const vec misfit = evaluate(model, y, white, at);
         if (slopes.size())
         {
             const vec away = priorWeight(model).cwiseProduct(at.x - model.mean());
-            const vec misfit = white(vec(y - at.f));
             Eigen::Map<vec>(slopes.data(), slopes.size()) = units.cwiseProduct
             (
                 away - white(model.slopes(at.x)).transpose()*misfit
