@@ -179,6 +179,15 @@ TEST(misfitRuns, whatWasStoppedFromOutsideIsTriedByEachCall)
 }
 
 
+TEST(misfitRuns, aSolverThatWasAskedToStopHasNoResult)
+{
+    const fakeCase c;
+    EXPECT_FALSE(once(c, {withSlope(4)})[0].ok());
+    EXPECT_TRUE(once(c, {withSlope(4)})[0].ok());
+    EXPECT_EQ(c.count(), 2);
+}
+
+
 TEST(misfitRuns, thatItWasStoppedDoesNotCountAsItsFirstFailure)
 {
     const fakeCase c;
