@@ -42,22 +42,14 @@ Foam::DynamicList<Foam::grainOrigins::record> Foam::grainOrigins::of
     }
 
     ++looks_;
+    const label nSeen = origins_.size();
     DynamicList<record> mine;
     for (const List<record>& some : swapLists(toRanks))
     {
         for (record r : some)
         {
-            if
-            (
-                origins_.insert
-                (
-                    r.id, origin{r.x, clock_.value(), r.d, r.type}
-                )
-            )
-            {
-                grown_ = true;
-            }
-            origin& first = origins_[r.id];
+            origin& first =
+                origins_(r.id, origin{r.x, clock_.value(), r.d, r.type});
             first.look = looks_;
             r.origin = first.x;
             r.displacement = images_.shortest(r.x - r.origin);
@@ -65,6 +57,7 @@ Foam::DynamicList<Foam::grainOrigins::record> Foam::grainOrigins::of
         }
     }
 
+    grown_ = grown_ || origins_.size() > nSeen;
     return mine;
 }
 
