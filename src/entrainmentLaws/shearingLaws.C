@@ -17,10 +17,9 @@ Foam::shearingLaws::shearingLaws
     friction_(keywords::frictionAngle(dict, "frictionAngle")),
     residual_
     (
-        keywords::frictionAngle
-        (
-            dict, "residualFrictionAngle", dict.get<scalar>("frictionAngle")
-        )
+        dict.found("residualFrictionAngle")
+      ? keywords::frictionAngle(dict, "residualFrictionAngle")
+      : friction_
     ),
     rho_(dict.get<scalar>("bulkDensity")),
     xi_(dict.lookupOrDefault<scalar>("turbulenceCoefficient", 100)),

@@ -216,14 +216,10 @@ Foam::vector Foam::keywords::unitVector
 Foam::scalar Foam::keywords::frictionAngle
 (
     const dictionary& dict,
-    const word& keyword,
-    const scalar byDefault
+    const word& keyword
 )
 {
-    const scalar angle =
-        byDefault < 0
-      ? dict.get<scalar>(keyword)
-      : dict.getOrDefault<scalar>(keyword, byDefault);
+    const scalar angle = dict.get<scalar>(keyword);
 
     if (!(angle >= 0 && angle < 90))
     {
@@ -234,10 +230,7 @@ Foam::scalar Foam::keywords::frictionAngle
 
     // Each angle below 90 degrees is, in radians, below pi/2, and hardly a
     // material has so few degrees
-    const bool likeRadians =
-        angle > 0 && angle < constant::mathematical::piByTwo;
-
-    if (likeRadians && dict.found(keyword))
+    if (angle > 0 && angle < constant::mathematical::piByTwo)
     {
         IOWarningInFunction(dict)
             << keyword << " is " << angle << " degrees: nearly no friction. If it"

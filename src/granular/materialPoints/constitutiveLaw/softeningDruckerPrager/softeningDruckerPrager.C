@@ -3,7 +3,6 @@
 
 #include "softeningDruckerPrager.H"
 
-#include "Tuple2.H"
 #include "addToRunTimeSelectionTable.H"
 #include "keywords.H"
 
@@ -33,23 +32,13 @@ Foam::softeningDruckerPrager::softeningDruckerPrager(const dictionary& dict)
     peak_(tan(keywords::frictionAngle(dict, "frictionAngle"))),
     residual_
     (
-        tan
-        (
-            keywords::frictionAngle
-            (
-                dict, "residualFrictionAngle", dict.get<scalar>("frictionAngle")
-            )
-        )
+        dict.found("residualFrictionAngle")
+      ? tan(keywords::frictionAngle(dict, "residualFrictionAngle"))
+      : peak_
     ),
-    begin_
+    softening_
     (
         dict.getOrDefault("softeningStrains", Tuple2<scalar, scalar>(0, 0))
-       .first()
-    ),
-    end_
-    (
-        dict.getOrDefault("softeningStrains", Tuple2<scalar, scalar>(0, 0))
-       .second()
     ),
     cohesion_(dict.getOrDefault<scalar>("cohesion", 0)),
     critical_(dict.getOrDefault<scalar>("criticalDensity", density())),
@@ -72,10 +61,12 @@ Foam::softeningDruckerPrager::softeningDruckerPrager(const dictionary& dict)
         ) == "slope"
     )
 {
-    if (!(begin_ >= 0 && end_ >= begin_))
+    const scalar begin = softening_.first();
+    const scalar end = softening_.second();
+    if (!(begin >= 0 && end >= begin))
     {
         FatalIOErrorInFunction(dict)
-            << "softeningStrains are " << begin_ << " and " << end_
+            << "softeningStrains are " << begin << " and " << end
             << "; give the strains at which softening begins and ends, the"
             << " second not below the first." << exit(FatalIOError);
     }
@@ -91,15 +82,17 @@ Foam::softeningDruckerPrager::softeningDruckerPrager(const dictionary& dict)
 
 Foam::scalar Foam::softeningDruckerPrager::friction(const scalar strain) const
 {
-    if (strain <= begin_)
+    const scalar begin = softening_.first();
+    const scalar end = softening_.second();
+    if (strain <= begin)
     {
         return peak_;
     }
 
     return
-        strain >= end_
+        strain >= end
       ? residual_
-      : peak_ + (residual_ - peak_)*(strain - begin_)/(end_ - begin_);
+      : peak_ + (residual_ - peak_)*(strain - begin)/(end - begin);
 }
 
 
