@@ -77,15 +77,24 @@ TEST_F(tank, aGrainThatHasLeftTheMeshStillCountsForTheDepth)
         EXPECT_GT(lastLine("moved", "displacedGrains")[7], 0);
     }
 
-    // It left before the run that goes on
+    // It left before the run that goes on, and then did all others
     const scalar depth = lastLine("moved", "displacedGrains")[7];
-    functionObjects::displacedGrains moved
-    (
-        "moved", box_.time(), dict(settings)
-    );
-    ++box_.time();
-    moved.write();
-    EXPECT_EQ(lastLine("moved", "displacedGrains")[7], depth);
+    const auto depthOfTheNextRun = [&]()
+    {
+        rmDir(box_.folder()/"postProcessing"/"moved"/"0");
+        functionObjects::displacedGrains moved
+        (
+            "moved", box_.time(), dict(settings)
+        );
+        ++box_.time();
+        moved.write();
+        return lastLine("moved", "displacedGrains")[7];
+    };
+    EXPECT_EQ(depthOfTheNextRun(), depth);
+
+    // With it and the one that came in its stead
+    g = grainSnapshot(0);
+    EXPECT_NEAR(depthOfTheNextRun(), 101*depth, 1e-3*depth);
 }
 
 
@@ -161,6 +170,31 @@ TEST_F(tank, aRestartFromBeforeAGrainCameTakesItsOriginAnew)
     rmDir(box_.folder()/"postProcessing"/"moved"/"0");
     box_.time().setTime(box_.time().value()/2, 5);
     functionObjects::displacedGrains moved("moved", box_.time(), dict(""));
+    moved.write();
+    EXPECT_EQ(lastLine("moved", "displacedGrains")[1], 0);
+}
+
+
+TEST_F(tank, grainsThatComeLaterThanInARunBeforeHaveTheirOriginWhereTheyCome)
+{
+    const scalar start = box_.time().value();
+    box_.time().setTime(start + 1, 1);
+    functionObjects::displacedGrains("moved", box_.time(), dict("")).execute();
+
+    // The same case once more, whose grains come elsewhere and later
+    grainSnapshot& g = grains_.grains;
+    const grainSnapshot all(g);
+    g = grainSnapshot(0);
+    rmDir(box_.folder()/"postProcessing"/"moved"/"0");
+    box_.time().setTime(start + 0.5, 1);
+    functionObjects::displacedGrains moved("moved", box_.time(), dict(""));
+    moved.execute();
+    g = all;
+    forAll(g.position, i)
+    {
+        g.position[i].z() += 0.5;
+    }
+    box_.time().setTime(start + 2, 2);
     moved.write();
     EXPECT_EQ(lastLine("moved", "displacedGrains")[1], 0);
 }

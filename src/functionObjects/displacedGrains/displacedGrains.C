@@ -135,15 +135,29 @@ void Foam::functionObjects::displacedGrains::writeOrigins()
 }
 
 
-void Foam::functionObjects::displacedGrains::begin(const labelList& chosen)
+bool Foam::functionObjects::displacedGrains::goesOn()
 {
+    // Later on there may be the origins of another run of this case, which began with
+    // grains before this one; postProcess begins with times that have none
+    if (asked_ && !functionObject::postProcess)
+    {
+        return false;
+    }
+    asked_ = true;
+
     // Origins of now or later are those of an earlier run of this case
     if (origins_.read(originsFile()) && origins_.time < now() - SMALL)
     {
-        return;
+        return true;
     }
 
     origins_.clear();
+    return false;
+}
+
+
+void Foam::functionObjects::displacedGrains::begin(const labelList& chosen)
+{
     origins_.time = now();
     origins_.d = meanDiameter(chosen);
     origins_.of(grains(), chosen);
@@ -178,7 +192,9 @@ bool Foam::functionObjects::displacedGrains::sample()
 {
     const labelList chosen(ofTypes(grains(), types_));
 
-    if (origins_.time >= GREAT && returnReduce(chosen.size(), sumOp<label>()))
+    // Also where all have left that the run before began with
+    const bool begun = origins_.time < GREAT || goesOn();
+    if (!begun && returnReduce(chosen.size(), sumOp<label>()))
     {
         begin(chosen);
     }
