@@ -12,8 +12,7 @@ using namespace Foam;
 namespace
 {
 
-//- Cells of the slice [m]
-const scalar h = 0.05;
+const scalar h = sliceCell;
 
 
 //- The node at a place
