@@ -39,9 +39,7 @@ TEST(misfitDiagnosis, aMechanismIsNamedAlthoughItsFormulaDiffers)
         show(f);
         EXPECT_EQ(f.verdict, verdictKind::named) << world::mechanism(m);
         EXPECT_EQ(f.names, wordList({world::mechanism(m)}));
-
-        // 0.66 to 0.9, by a table that is fitted to other cases
-        EXPECT_GT(f.confidence, 0.5);
+        EXPECT_GE(f.confidence, leastOfAName());
         EXPECT_FALSE(f.located.empty());
         ASSERT_EQ(f.held.size(), 2);
         EXPECT_LT(f.held[1].squareAfter, f.held[1].squareBefore);

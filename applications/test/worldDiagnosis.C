@@ -3,8 +3,40 @@
 
 #include "worldDiagnosis.H"
 #include "record.H"
+#include "temporaryFolder.H"
+#include "textFile.H"
+#include "verdictKind.H"
 
 #include <gtest/gtest.h>
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+//- A confidence that hangs on the lead alone, see leastOfAName
+confidenceTable byTheLead()
+{
+    // Of the lead the ground is ln(1 + lead); at a lead below zero, less ln(1 - lead)
+    std::string text;
+    for (const word& verdict : verdictNames.sortedToc())
+    {
+        text += verdict + " { cases 1; right 1; constant 0;";
+        for (const word& ground : groundNames)
+        {
+            text += ground + (ground == "lead" ? " (1 -99 99);" : " (0 0 0);");
+        }
+        text += " }\n";
+    }
+    const temporaryFolder scratch;
+    const fileName file(fileName(scratch)/"confidence");
+    writeWhole(file, text);
+    return confidenceTable(file);
+}
+
+} // End anonymous namespace
+
 
 Foam::misfit::settings Foam::misfit::worldSettings()
 {
@@ -26,7 +58,16 @@ Foam::misfit::settings Foam::misfit::worldSettings()
     };
     s.clockUncertainty = 0.005;
     s.draws = 500;
+    static const confidenceTable confidence(byTheLead());
+    s.confidence = confidence;
     return s;
+}
+
+
+Foam::scalar Foam::misfit::leastOfAName()
+{
+    const scalar gap = worldSettings().gap;
+    return (1 + gap)/(2 + gap);
 }
 
 
