@@ -93,6 +93,55 @@ TEST(misfitChannel, aFileWithoutUnitsIsReadWithThoseGivenBeside)
 }
 
 
+TEST(misfitChannel, everyUnitCanBeGivenBesideAlsoOneThatIsNoWord)
+{
+    const auto second = [](const std::string& quantity, const std::string& unit)
+    {
+        const std::string entries
+        (
+            "file \"S1.csv\"; quantity " + quantity + "; unit " + unit + ";"
+        );
+        return channelOf("t_s,x\n0,1\n1,2\n2,4\n", entries).recorded.y[1];
+    };
+    EXPECT_DOUBLE_EQ(second("velocity", "m/s"), 2);
+    EXPECT_DOUBLE_EQ(second("velocity", "cm/s"), 0.02);
+    EXPECT_DOUBLE_EQ(second("velocity", "\"cm/s\""), 0.02);
+    EXPECT_DOUBLE_EQ(second("velocity", "m_per_s"), 2);
+    EXPECT_DOUBLE_EQ(second("flowRate", "l/s"), 0.002);
+    EXPECT_DOUBLE_EQ(second("flowRate", "m3/s"), 2);
+    EXPECT_DOUBLE_EQ(second("rate", "1/s"), 2);
+    EXPECT_DOUBLE_EQ(second("dimensionless", "1"), 2);
+    EXPECT_DOUBLE_EQ(second("dimensionless", "-"), 2);
+    EXPECT_DOUBLE_EQ(second("dimensionless", "%"), 0.02);
+    EXPECT_DOUBLE_EQ(channelOf("", "value 3; quantity rate; unit 1/s;").recorded.y[0], 3);
+}
+
+
+TEST(misfitChannel, theMarkThatExcelBeginsAFileWithIsNoPartOfTheFirstName)
+{
+    const channel c
+    (
+        channelOf
+        (
+            "\xEF\xBB\xBFp_Pa,t_s\r\n5,0\r\n6,1\r\n7,2\r\n",
+            "file \"S1.csv\"; column p; xColumn t;"
+        )
+    );
+    EXPECT_EQ(c.recorded.y[0], 5);
+}
+
+
+TEST(misfitChannel, aGapInTheColumnOfAnotherSensorIsNoFault)
+{
+    const std::string text("t_s,p_Pa,q_Pa\n0,1,5\n1,NaN,6\n2,,7\n3,4,8\n");
+    EXPECT_EQ(channelOf(text, "file \"S1.csv\"; column q;").recorded.y.size(), 4);
+    const std::string said(refusalOf(text, "file \"S1.csv\"; column p;"));
+    expectSays(said, "Line 3 of");
+    expectSays(said, "holds \"NaN\"");
+    expectSays(said, "first of 2 such lines");
+}
+
+
 TEST(misfitChannel, aColumnIsFoundByItsNameWithOrWithoutUnit)
 {
     const std::string text("t_s,pa_Pa,p_Pa\n0,1,5\n1,2,6\n2,4,7\n");
@@ -287,6 +336,44 @@ TEST(misfitChannel, whatIsNoFiniteNumberIsRefusedWithItsLine)
         expectSays(said, "no finite number");
     }
     expectSays(refusalOf("t_s,p_Pa\n0,1\n1\n2,3\n"), "has 1 cells for 2 columns");
+}
+
+
+TEST(misfitChannel, commasInNumbersAndOtherCodingsAreTold)
+{
+    const std::string points("Write points, not commas");
+    expectSays(refusalOf("t_s,p_Pa\n0,0,1,0\n1,0,2,0\n"), points);
+    expectSays
+    (
+        refusalOf("Logger 3\nt_s,p_Pa\n0,1\n1,2\n2,4\n"),
+        "begin each line above the names with #"
+    );
+    EXPECT_EQ(refusalOf("t_s,p_Pa\n0,1\n1\n").find(points), std::string::npos);
+    const std::string wide("\xFF\xFEt\0_\0s\0,\0p\0\n\0", 15);
+    expectSays(refusalOf(wide), "not in UTF-16");
+}
+
+
+TEST(misfitChannel, timesThatCountFromElsewhereAreToldInFull)
+{
+    const std::string said
+    (
+        refusalOf
+        (
+            "t_s,p_Pa\n1764162816.25,1\n1764162816.5,2\n1764162817,4\n",
+            "file \"S1.csv\"; interval (0 1);"
+        )
+    );
+    expectSays(said, "covers 1764162816.25 to 1764162817.");
+    expectSays(said, "xOffset");
+}
+
+
+TEST(misfitChannel, aFileNameWithABlankIsToldAsSuch)
+{
+    const std::string said(refusalOf("", "file \"run 1/S1.csv\";"));
+    expectSays(said, "run 1/S1.csv");
+    expectSays(said, "Rename it");
 }
 
 

@@ -34,6 +34,44 @@ std::vector<std::string> cellsOf(const std::string& line)
     return result;
 }
 
+//- Takes off the mark that Excel begins a file of UTF-8 with, or it would be a part of
+//  the first name
+void unmark(std::string& line)
+{
+    const std::string mark("\xEF\xBB\xBF");
+    if (line.compare(0, mark.size(), mark) == 0)
+    {
+        line.erase(0, mark.size());
+    }
+}
+
+
+//- What to do where a line has more cells than there are names
+const char* const tooMany =
+    ". Write points, not commas, in numbers, and begin each line above the names with #";
+
+
+//- Throws where the columns of the line of names are not those of a file with commas
+void checkNames(const std::string& line, const std::string& of)
+{
+    if (line.find('\0') != line.npos)
+    {
+        throw std::invalid_argument
+        (
+            "The line of names" + of + " is no plain text: save the table as CSV in UTF-8,"
+            " not in UTF-16"
+        );
+    }
+    if (line.find_first_of(";\t") != line.npos)
+    {
+        throw std::invalid_argument
+        (
+            "The line of names" + of + " has semicolons or tabs. Write commas"
+            " between the columns and points in the numbers: 0.5,1013"
+        );
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -56,6 +94,10 @@ textTable::textTable(std::istream& is, const std::string& of)
     std::string line;
     for (int number = 1; std::getline(is, line); ++number)
     {
+        if (number == 1)
+        {
+            unmark(line);
+        }
         const auto first = line.find_first_not_of(" \t\r");
         if (first == line.npos || line[first] == '#')
         {
@@ -64,14 +106,7 @@ textTable::textTable(std::istream& is, const std::string& of)
         std::vector<std::string> cells = cellsOf(line);
         if (names.empty())
         {
-            if (line.find_first_of(";\t") != line.npos)
-            {
-                throw std::invalid_argument
-                (
-                    "The line of names" + of + " has semicolons or tabs. Write commas"
-                    " between the columns and points in the numbers: 0.5,1013"
-                );
-            }
+            checkNames(line, of);
             names = std::move(cells);
             continue;
         }
@@ -82,6 +117,7 @@ textTable::textTable(std::istream& is, const std::string& of)
                 "Line " + std::to_string(number) + of + " has "
               + std::to_string(cells.size()) + " cells for "
               + std::to_string(names.size()) + " columns:" + quoted(names)
+              + (cells.size() > names.size() ? tooMany : "")
             );
         }
         rows.push_back(std::move(cells));

@@ -5,6 +5,7 @@
 #include "keywords.H"
 #include "units.H"
 #include "MinMax.H"
+#include "OStringStream.H"
 #include "Tuple2.H"
 
 #include <cmath>
@@ -22,6 +23,16 @@ namespace
 
 using namespace Foam;
 using namespace Foam::misfit;
+
+//- To the millisecond and millimetre, also of a logger that counts from 1970
+string written(const scalar x)
+{
+    OStringStream os;
+    os.precision(13);
+    os << x;
+    return os.str();
+}
+
 
 //- Keeps what lies in the interval that counts
 void cut(channel& c, const dictionary& dict)
@@ -42,8 +53,9 @@ void cut(channel& c, const dictionary& dict)
         FatalIOErrorInFunction(dict)
             << "The channel " << c.name << " has " << kept.x.size()
             << " readings in the interval " << c.interval << "; it needs three."
-            << " The file covers " << c.recorded.x.first() << " to "
-            << c.recorded.x.last() << exit(FatalIOError);
+            << " The file covers " << written(c.recorded.x.first()).c_str() << " to "
+            << written(c.recorded.x.last()).c_str()
+            << ". If it counts from elsewhere: xOffset" << exit(FatalIOError);
     }
     c.recorded = kept;
 }

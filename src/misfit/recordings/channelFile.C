@@ -5,9 +5,11 @@
 #include "keywords.H"
 #include "numberTable.H"
 #include "OSspecific.H"
+#include "OStringStream.H"
 #include "units.H"
 
 #include <regex>
+#include <sstream>
 
 namespace
 {
@@ -16,8 +18,8 @@ using namespace Foam;
 using namespace Foam::misfit;
 
 //- The name of a file with the variables of the environment in it put in; fatal
-//  where one is not set
-fileName expanded(const dictionary& dict, const fileName& name)
+//  where one is not set, or where OpenFOAM cannot hold the name
+fileName expanded(const dictionary& dict, const string& name)
 {
     // One with a default, ${NAME:-folder}, need not be set
     const std::regex variable(R"(\$(?:(\w+)|\{(\w+)\}))");
@@ -28,14 +30,42 @@ fileName expanded(const dictionary& dict, const fileName& name)
         if (getEnv(needed).empty())
         {
             FatalIOErrorInFunction(dict)
-                << "The recording " << name.c_str() << " needs the variable "
+                << "The recording " << name << " needs the variable "
                 << needed << ", which is not set. Say where the recordings are:"
                 << "  export " << needed << "=<folder>" << exit(FatalIOError);
         }
     }
-    fileName file(name);
+    string file(name);
     file.expand();
+    if (!string::valid<fileName>(file))
+    {
+        FatalIOErrorInFunction(dict)
+            << "The recording " << file << " has a blank or a quotation mark in its name"
+            << " or in that of a folder, which OpenFOAM does not take. Rename it"
+            << exit(FatalIOError);
+    }
     return file;
+}
+
+
+//- The name of a unit. One as m/s or 1/s is no word: its tokens are put together
+word unitGiven(const dictionary& dict, const word& key)
+{
+    std::ostringstream name;
+    for (const token& t : dict.lookup(key))
+    {
+        if (t.isString())
+        {
+            name << t.stringToken().c_str();
+        }
+        else
+        {
+            OStringStream os;
+            os << t;
+            name << os.str();
+        }
+    }
+    return word(name.str(), false);
 }
 
 
@@ -76,7 +106,7 @@ scalarList readColumn
     const string& header = table.names[column];
     const word key(prefix.empty() ? "unit" : prefix + "Unit");
     const word written(unitInName(header));
-    const word name(dict.getOrDefault<word>(key, written));
+    const word name(dict.found(key) ? unitGiven(dict, key) : written);
     const string what("The column \"" + header + "\" of " + table.file);
 
     if (name.empty())
@@ -171,7 +201,7 @@ void Foam::misfit::channel::readFile
     const fileName& folder
 )
 {
-    const fileName given(expanded(dict, dict.get<fileName>("file")));
+    const fileName given(expanded(dict, dict.get<string>("file")));
     const fileName file(given.isAbsolute() ? given : folder/given);
     if (!isFile(file, false))
     {
@@ -207,7 +237,7 @@ void Foam::misfit::channel::readValue(const dictionary& dict)
     const scalar size =
         checkedUnit
         (
-            dict, dict.get<word>("unit"), samples.quantity,
+            dict, unitGiven(dict, "unit"), samples.quantity,
             "The value of the channel " + name
         ).size;
     recorded.x = scalarList(1, scalar(0));

@@ -47,19 +47,36 @@ void checkNames(const numberTable& t)
 }
 
 
-//- Fatal unless all are finite numbers
-void checkNumbers(const numberTable& t, const cells& row, const label line)
+//- Keeps what is no finite number in the last row
+void keepNoNumbers(numberTable& t, const cells& row)
 {
     for (label i = 0; i < statistics::count(row); ++i)
     {
-        if (std::isnan(statistics::numberIn(row[i])))
+        if (std::isnan(t.rows.last()[i]))
         {
-            FatalErrorInFunction
-                << "Line " << line << " of " << t.file << " holds \"" << row[i].c_str()
-                << "\" in the column " << t.names[i]
-                << ", which is no finite number. Remove the line if nothing"
-                << " was recorded then" << exit(FatalError);
+            t.noNumbers[{i, t.rows.size() - 1}] = row[i];
         }
+    }
+}
+
+
+//- Fatal if a cell of the column holds no finite number
+void checkNumbers(const numberTable& t, const label column)
+{
+    const auto first = t.noNumbers.lower_bound({column, 0});
+    const auto end = t.noNumbers.lower_bound({column + 1, 0});
+    if (first != end)
+    {
+        const auto n = std::distance(first, end);
+        FatalErrorInFunction
+            << "Line " << t.lines[first->first.second] << " of " << t.file << " holds \""
+            << first->second.c_str() << "\" in the column " << t.names[column]
+            << ", which is no finite number. Remove the line if nothing was recorded then";
+        if (n > 1)
+        {
+            FatalError << "; it is the first of " << label(n) << " such lines";
+        }
+        FatalError << exit(FatalError);
     }
 }
 
@@ -159,6 +176,7 @@ Foam::label Foam::misfit::numberTable::find(const string& name) const
 
 Foam::scalarList Foam::misfit::numberTable::column(const label i) const
 {
+    checkNumbers(*this, i);
     scalarList numbers(rows.size());
     forAll(rows, row)
     {
@@ -214,8 +232,8 @@ Foam::misfit::numberTable Foam::misfit::csvTable(const fileName& file)
         checkNames(t);
         for (label i = 0; i < statistics::count(text.rows); ++i)
         {
-            checkNumbers(t, text.rows[i], text.lines[i]);
             addRow(t, text.rows[i], text.lines[i]);
+            keepNoNumbers(t, text.rows[i]);
         }
     }
     catch (const std::invalid_argument& e)
