@@ -185,6 +185,24 @@ TEST(misfitTable, tableWithoutARowForEachCombinationIsRefused)
     mat twice = factors;
     twice.row(3) = twice.row(4);
     EXPECT_THROW(factorialTable{twice}, std::invalid_argument);
+
+    // Row 3 is that of 10, 2, 0.5
+    const auto said = [](const mat& table)
+    {
+        try
+        {
+            const factorialTable refused(table);
+        }
+        catch (const std::invalid_argument& error)
+        {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_NE(said(twice).find("; 10 2 0.5 has 0"), std::string::npos);
+    mat oneMore(28, 3);
+    oneMore << factors, factors.row(4);
+    EXPECT_NE(said(oneMore).find("; 10 2 0.6 has 2"), std::string::npos);
 }
 
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 namespace statistics
@@ -71,6 +72,36 @@ void checkNumber(const std::vector<std::vector<double>>& levels)
     }
 }
 
+//- The first combination of levels that has not one row, as "30 0.004 0.1 has 2";
+//  cells: of each row the number of its level of each factor
+std::string notOnce
+(
+    const std::vector<std::vector<double>>& levels,
+    const std::vector<order>& cells
+)
+{
+    order cell(levels.size(), 0);
+    for (int f = 0; f >= 0;)
+    {
+        const auto n = std::count(cells.begin(), cells.end(), cell);
+        if (n != 1)
+        {
+            std::ostringstream os;
+            for (int i = 0; i < count(cell); ++i)
+            {
+                os << levels[i][cell[i]] << ' ';
+            }
+            os << "has " << n;
+            return os.str();
+        }
+        for (f = count(cell) - 1; f >= 0 && ++cell[f] == count(levels[f]); --f)
+        {
+            cell[f] = 0;
+        }
+    }
+    return "";
+}
+
 } // End anonymous namespace
 
 
@@ -108,7 +139,7 @@ factorialTable::factorialTable(const mat& factors)
             "it has " + std::to_string(cells_.size()) + " rows, "
           + std::to_string(rowOf_.size()) + " of them different, and the levels of"
             " its factors have " + std::to_string(nCells) + " combinations, each of"
-            " which needs one row"
+            " which needs one row; " + notOnce(levels_, cells_)
         );
     }
 }

@@ -5,6 +5,7 @@
 #include "textFile.H"
 
 #include "fpeGuard.H"
+#include "OSspecific.H"
 #include "serialTool.H"
 
 #include <stdexcept>
@@ -27,7 +28,9 @@ void run(const dictionary& dict)
     const tableCheck check(dict);
     Info<< report(check).c_str();
 
+    // One of an earlier table must not lie beside the verdict on this one
     const fileName stem(check.file.nameLessExt());
+    rm(stem + ".corrected.csv");
     write(stem + ".verdict.json", tableJson(check));
     write(stem + ".tried.csv", triedTable(check));
     if

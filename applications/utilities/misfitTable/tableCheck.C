@@ -179,6 +179,13 @@ tableCheck::tableCheck(const dictionary& dict)
         readRoundings(dict.subDict("roundings"), columns),
         dict.lookupOrDefault<scalar>("tolerance", 0.01)
     );
+    for (label i = 0; i < factorial.nRows(); ++i)
+    {
+        if (!faults.holds(i))
+        {
+            missing.push_back(lines[i]);
+        }
+    }
     printed = faults.asPrinted();
     tried = faults.tried();
     if (tried.empty())

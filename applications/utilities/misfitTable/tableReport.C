@@ -23,6 +23,29 @@ using statistics::identityMatch;
 constexpr int nBest = 3;
 
 
+//- Of the rows that miss the identity as many are told
+constexpr int nTold = 5;
+
+
+//- "line 11", "lines 5 and 20", "lines 2, 3, 4, 6, 7 and others"
+string inLines(const std::vector<int>& lines)
+{
+    wordList all;
+    for (const int line : lines)
+    {
+        if (all.size() < nTold)
+        {
+            all.append(Foam::name(line));
+        }
+    }
+    if (all.size() < count(lines))
+    {
+        all.append("others");
+    }
+    return (lines.size() == 1 ? "line " : "lines ") + inWords(all, "and");
+}
+
+
 string percent(const scalar share)
 {
     return shortNumber(100*share, 2) + " %";
@@ -176,7 +199,7 @@ Foam::string Foam::misfit::report(const tableCheck& check)
         const columnFault& first = check.tried.front();
         os  << n - check.printed.match.exact << " of " << n
             << " rows miss the identity by more than"
-            << " rounding, and no exchange of labels explains it. The nearest of "
+            << " rounding (" << inLines(check.missing) << "), and no exchange of labels explains it. The nearest of "
             << check.tried.size() << ", with a chance of "
             << shortNumber(first.chance, 3) << ":\n    " << exchange(check, first)
             << '\n';
@@ -209,6 +232,7 @@ std::string Foam::misfit::tableJson(const tableCheck& check)
         {"verdict", verdictNames[check.verdict]},
         {"tried", check.tried.size()},
         {"asPrinted", jsonOf(check.printed.match)},
+        {"missing", check.missing},
         {"faults", named ? each(check.best, one) : json::array()}
     };
     return all.dump(4) + '\n';
