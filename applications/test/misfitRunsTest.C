@@ -5,6 +5,8 @@
 #include "fakeCase.H"
 #include "saidDuring.H"
 
+#include "OSspecific.H"
+
 #include <gtest/gtest.h>
 
 using namespace Foam;
@@ -132,6 +134,35 @@ TEST(misfitRuns, runsOfOtherProgramsAreNotUsedWithoutAWord)
     expectSaysNo(message(3), changed);
     expectSays(message(), changed);
     setEnv("FOAM_USER_LIBBIN", before, true);
+}
+
+
+TEST(misfitRuns, theTimeThatIsLeftIsThatOfTheseRunsAndNotToldAfterTheLast)
+{
+    const fakeCase c;
+    fakePredictor ask(c, "jobs 1; ");
+    const std::string said(saidDuring([&]() { ask({withSlope(1), withSlope(2)}); }));
+    expectSays(said, "1 of 2 runs, about 0 min");
+    expectSays(said, "s left for these\n");
+    expectSays(said, "2 of 2 runs\n");
+}
+
+
+TEST(misfitRuns, aRunThatIsStoppedTellsThatItIsGoneOnWith)
+{
+    const fakeCase c;
+    mkDir(c.folder()/"one"/"case");
+    c.write("one/commands", "sleep 9\n");
+    const auto stop = [&]()
+    {
+        Foam::system
+        (
+            "cd '" + c.folder() + "' && RANKS=1 TIME_LIMIT=20 RUNS=1 STARTED=0"
+            " timeout 3 \"$INTERDEMFOAM_DIR/etc/misfitRun\" one"
+        );
+    };
+    expectSays(saidDuring(stop), "one is stopped; the next call goes on with it");
+    EXPECT_FALSE(isFile(c.folder()/"one/finished"));
 }
 
 
