@@ -133,6 +133,23 @@ TEST_F(tank, aMovingFrontHasItsVelocityAndFroudeNumber)
 }
 
 
+TEST_F(tank, aFrontAlongGravityHasNoFroudeNumber)
+{
+    const string flume("stripWidth 0.1; headLength 0.3; grainThreshold 1e-4;");
+    functionObjects::surgeFront across
+    (
+        "across", box_.time(), dict(flume + " normal (0 1 0);")
+    );
+    across.execute();
+    across.write();
+
+    const scalarList line(lastLine("across", "surgeFront"));
+    ASSERT_EQ(line.size(), 12);
+    EXPECT_GT(line[10], 0);
+    EXPECT_EQ(line[11], 0);
+}
+
+
 TEST_F(tank, theFrontAndThicknessOfALatticeInWaterAreItsOwn)
 {
     // Water 0.1 m deep as far as x = 0.5, of half that as far as 0.75
@@ -278,6 +295,22 @@ TEST_F(tank, theMeanVelocityOfTheWholeBedIsByMassAndOverNetErosionAlsoOfARunThat
     functionObjects::bedErosion again("bed", box_.time(), dict(entries));
     sample(again, 12, 0.8);
     EXPECT_NEAR(lastLine("bed", "summary_0")[9], 6, 1e-6);
+}
+
+
+TEST_F(tank, aBedBesideTheMeshIsAnError)
+{
+    placeLattice(50);
+    for (point& p : grains_.grains.position)
+    {
+        p.x() += 1000;
+    }
+    EXPECT_THROW
+    (
+        functionObjects::bedErosion("bed", box_.time(), dict("bedTypes (1);"))
+            .execute(),
+        Foam::error
+    );
 }
 
 

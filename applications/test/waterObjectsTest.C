@@ -34,6 +34,52 @@ TEST_F(tank, waterAtRestHasNoExcessPressure)
 }
 
 
+TEST_F(tank, withoutFluidTheGrainsAlonePressOnTheBase)
+{
+    OFstream(box_.folder()/"constant"/"granularProperties")()
+        << "FoamFile { version 2.0; format ascii; class dictionary;"
+        << " object granularProperties; }\nfluid none;\n";
+    p_.checkOut();
+    alpha_.checkOut();
+
+    functionObjects::porePressureProbes probes
+    (
+        "probes",
+        box_.time(),
+        dict("probes ((0.45 0.45 0)); patch zMin; radius 0.31;")
+    );
+    probes.execute();
+    probes.write();
+
+    const scalarList line(lastLine("probes", "porePressureProbes"));
+    ASSERT_EQ(line.size(), 7);
+    const scalar area = constant::mathematical::pi*sqr(0.31);
+    EXPECT_NEAR(line[5], 29*2/area, 0.01*29*2/area);
+    for (const label column : {1, 2, 3, 4, 6})
+    {
+        EXPECT_EQ(line[column], 0);
+    }
+}
+
+
+TEST_F(tank, withoutGravityAVerticalLevelIsAnErrorAndANormalOneNot)
+{
+    gravity(vector::zero);
+
+    const auto probes = [&](const string& level)
+    {
+        functionObjects::porePressureProbes
+        (
+            "probes",
+            box_.time(),
+            dict("probes ((0.45 0.45 0)); patch zMin; hydrostatic " + level)
+        );
+    };
+    EXPECT_THROW(probes("vertical;"), Foam::IOerror);
+    EXPECT_NO_THROW(probes("normal;"));
+}
+
+
 TEST_F(tank, aPressureWrittenBetweenTwoLooksIsOfItsOwnTime)
 {
     functionObjects::porePressureProbes probes

@@ -150,6 +150,15 @@ void Foam::functionObjects::bedErosion::refer(const bedGrains& bed)
         now(), bed, box(), stripWidth_, width_, grid, packing_
     );
 
+    if (!(reference_.packing > 0))
+    {
+        FatalErrorInFunction
+            << type() << " " << name() << ": the solid fraction of the bed at"
+            << " time " << now() << " is " << reference_.packing << "." << nl
+            << "    Its grains lie beside the mesh, or in a layer too thin to"
+            << " measure it: then give packing." << exit(FatalError);
+    }
+
     if (Pstream::master())
     {
         reference_.write(referenceFile());

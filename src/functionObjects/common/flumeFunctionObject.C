@@ -224,6 +224,21 @@ Foam::functionObjects::flumeFunctionObject::voidFraction() const
 }
 
 
+Foam::tmp<Foam::volScalarField>
+Foam::functionObjects::flumeFunctionObject::fluidField(const word& name) const
+{
+    if (!fluid_)
+    {
+        return volScalarField::New
+        (
+            name + ".none", mesh_, dimensionedScalar(dimless, Zero)
+        );
+    }
+
+    return field<volScalarField>(name);
+}
+
+
 Foam::tmp<Foam::scalarField>
 Foam::functionObjects::flumeFunctionObject::waterVolume() const
 {

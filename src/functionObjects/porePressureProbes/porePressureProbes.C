@@ -91,6 +91,15 @@ void Foam::functionObjects::porePressureProbes::findPlaces
             << mesh_.boundaryMesh().names() << exit(FatalIOError);
     }
 
+    if (level_ == levelType::vertical && magSqr(gravity()) < VSMALL)
+    {
+        FatalIOErrorInFunction(dict)
+            << "hydrostatic vertical in " << dict.name() << " takes the water"
+            << " level along gravity, and constant/g is zero." << nl
+            << "    Mend constant/g, or give hydrostatic normal."
+            << exit(FatalIOError);
+    }
+
     const fvPatch& patch = mesh_.boundary()[patchi];
     columns_.clear();
     discs_.clear();
@@ -299,8 +308,9 @@ bool Foam::functionObjects::porePressureProbes::sample()
         return false;
     }
 
-    const tmp<volScalarField> tp(field<volScalarField>(pName_));
-    const tmp<volScalarField> talpha(field<volScalarField>(alphaName_));
+    // Grains alone press on the base where there is no fluid
+    const tmp<volScalarField> tp(fluidField(pName_));
+    const tmp<volScalarField> talpha(fluidField(alphaName_));
     const label patchi = mesh_.boundaryMesh().findPatchID(patchName_);
     const scalarField& pWall = tp().boundaryField()[patchi];
 

@@ -216,7 +216,10 @@ Foam::scalar Foam::functionObjects::surgeFront::froude
     const scalar h
 ) const
 {
-    return h > SMALL ? U/sqrt(mag(gravity())*h*cosSlope()) : 0;
+    // Nothing presses a flow to a base along which gravity points
+    const scalar g = mag(gravity())*cosSlope();
+
+    return h > SMALL && g > SMALL ? U/sqrt(g*h) : 0;
 }
 
 
