@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <sstream>
 
 using namespace Foam;
 
@@ -43,18 +44,7 @@ public:
     explicit boxOfWater(const std::string& more = "")
     {
         const std::string all = " all property/global ";
-        write
-        (
-            "constant/grains/initial",
-            "units si\natom_style granular\nnewton off\n"
-            "communicate single vel yes\n"
-            "region box block 0 1 0 1 0 1 units box\ncreate_box 1 box\n"
-            "create_atoms 1 single 0.3 0.5 0.5 units box\n"
-            "create_atoms 1 single 0.4 0.5 0.5 units box\n"
-            "create_atoms 1 single 0.5 0.5 0.5 units box\n"
-            "create_atoms 1 single 0.6 0.5 0.5 units box\n"
-            "set type 1 diameter 0.02 density 2500\n"
-        );
+        placeGrains(0.5);
         write
         (
             "constant/grains/physics",
@@ -74,6 +64,22 @@ public:
             "granularPhase LIGGGHTS; LIGGGHTS { walls { patches (\".*\");"
             " type 1; } } exchange { interval 50; }\n" + more
         );
+    }
+
+    //- The grains at a height [m], which may be above the box
+    void placeGrains(const scalar z) const
+    {
+        std::ostringstream os;
+        os  << "units si\natom_style granular\nnewton off\n"
+            << "communicate single vel yes\n"
+            << "region box block 0 1 0 1 0 " << max(z + 0.1, scalar(1))
+            << " units box\ncreate_box 1 box\n";
+        for (const char* x : {"0.3", "0.4", "0.5", "0.6"})
+        {
+            os << "create_atoms 1 single " << x << " 0.5 " << z << " units box\n";
+        }
+        os << "set type 1 diameter 0.02 density 2500\n";
+        write("constant/grains/initial", os.str());
     }
 
     testMesh& box()
@@ -128,6 +134,15 @@ TEST(localDamping, isNoContactForceOfAGrainThatFalls)
     {
         EXPECT_LT(mag(force), 1e-9*weight);
     }
+}
+
+
+TEST(demCoupling, grainsThatAllStartOutsideAreAnErrorAlsoWhereTheyMayLeave)
+{
+    boxOfWater w("LIGGGHTS { walls { patches (zMin); } outflow (zMax); }");
+    w.placeGrains(5);
+    EXPECT_THROW(demCoupling(w.box().mesh(), hydrostatics(g)), Foam::error);
+    EXPECT_THROW(demCoupling(w.box().mesh(), g), Foam::error);
 }
 
 

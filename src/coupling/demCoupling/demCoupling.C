@@ -54,6 +54,7 @@ Foam::demCoupling::demCoupling
     );
 
     locateGrains();
+    checkInside();
     // In a surge soft grains dent deeper than a packing may
     if (!phase_->restarted() && phase_->touchesAtRadius())
     {
@@ -78,6 +79,7 @@ Foam::demCoupling::demCoupling(const fvMesh& mesh, const vector& g)
     warnedOf_(0)
 {
     locateGrains();
+    checkInside();
     if (!phase_->restarted() && phase_->touchesAtRadius())
     {
         checkWalls();

@@ -32,6 +32,34 @@ void Foam::demCoupling::checkRegime()
 }
 
 
+void Foam::demCoupling::checkInside() const
+{
+    const label nOutside = exchange_->nOutside();
+
+    if (phase_->restarted() || !nOutside)
+    {
+        return;
+    }
+
+    if (nOutside == phase_->nTotal())
+    {
+        FatalErrorInFunction
+            << "None of the " << nOutside << " grains is in the mesh, "
+            << mesh_.bounds() << " m." << nl
+            << "    Mesh (blockMeshDict, transformPoints) and grains (initial"
+            << " script, packingDict) must both be in metres."
+            << exit(FatalError);
+    }
+
+    WarningInFunction
+        << nOutside << " of " << phase_->nTotal() << " grains are outside of"
+        << " the mesh at the start, as they may where an outflow is named: no"
+        << " fluid acts on them." << nl
+        << "    If they should be in it, place them there, in metres." << nl
+        << endl;
+}
+
+
 void Foam::demCoupling::checkWalls() const
 {
     label nIn = 0;

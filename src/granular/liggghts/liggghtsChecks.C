@@ -13,8 +13,11 @@
 #include <liggghts/domain.h>
 #include <liggghts/fix.h>
 #include <liggghts/fix_template_sphere.h>
+#include <liggghts/force.h>
 #include <liggghts/lammps.h>
 #include <liggghts/modify.h>
+#include <liggghts/neigh_list.h>
+#include <liggghts/pair.h>
 #include <liggghts/update.h>
 
 namespace
@@ -218,6 +221,76 @@ void Foam::liggghtsChecks::noOwnFixes
                 << nl << "    Take the fix out, and the grains out of the group"
                 << " that fix nve/sphere moves." << exit(FatalError);
         }
+    }
+}
+
+
+void Foam::liggghtsChecks::overlaps
+(
+    liggghtsInstance& liggghts,
+    const fileName& script
+)
+{
+    const LAMMPS_NS::Pair* pair = liggghts->force->pair;
+
+    if (!pair || !pair->list)
+    {
+        return;
+    }
+
+    const LAMMPS_NS::Atom& atom = *liggghts->atom;
+    const LAMMPS_NS::NeighList& list = *pair->list;
+    const auto place = [&](const label i)
+    {
+        return point(atom.x[i][0], atom.x[i][1], atom.x[i][2]);
+    };
+
+    // Overlap over the smaller radius, two numbers of grains, place of one
+    List<FixedList<scalar, 6>> deepest(Pstream::nProcs());
+    FixedList<scalar, 6>& mine = deepest[Pstream::myProcNo()];
+    mine = scalar(0);
+
+    for (label ii = 0; ii < list.inum; ++ii)
+    {
+        const label i = list.ilist[ii];
+
+        for (label jj = 0; jj < list.numneigh[i]; ++jj)
+        {
+            const label j = list.firstneigh[i][jj] & NEIGHMASK;
+            const point p(place(i));
+            const scalar share =
+                (atom.radius[i] + atom.radius[j] - mag(p - place(j)))
+               /min(atom.radius[i], atom.radius[j]);
+
+            if (share > mine[0])
+            {
+                mine[0] = share;
+                mine[1] = atom.tag[i];
+                mine[2] = atom.tag[j];
+                mine[3] = p.x();
+                mine[4] = p.y();
+                mine[5] = p.z();
+            }
+        }
+    }
+
+    Pstream::gatherList(deepest);
+    FixedList<scalar, 6> worst(deepest[0]);
+    for (const FixedList<scalar, 6>& there : deepest)
+    {
+        worst = there[0] > worst[0] ? there : worst;
+    }
+
+    if (Pstream::master() && worst[0] > 0.2)
+    {
+        WarningInFunction
+            << "Grains overlap at the start of " << script << ": grains "
+            << label(worst[1]) << " and " << label(worst[2]) << " by "
+            << worst[0] << " of the smaller radius, at "
+            << point(worst[3], worst[4], worst[5]) << " m." << nl
+            << "    They will be driven apart at once, and fast. Move them, or"
+            << " let preparePacking place them; where they are meant to be"
+            << " one heap, settle it first." << nl << endl;
     }
 }
 

@@ -51,8 +51,10 @@ namespace
             if (line.find("esh elements have been lost") != std::string::npos)
             {
                 hint =
-                    "A surface of the script reaches out of the box of the grains:"
-                    " enlarge the region that create_box names.";
+                    "A surface of the script reaches out of the box of the grains,"
+                    " at the start or where it moves to:\nenlarge the region that"
+                    " create_box names (where read_data reads the grains of"
+                    " preparePacking:\ndomain in system/packingDict).";
             }
 
             if (line.find("Cannot open file") != std::string::npos)
@@ -60,6 +62,47 @@ namespace
                 hint =
                     "There is no such file. One of grains (constant/grains/data) is"
                     " written by\npreparePacking: run it before. " + hint;
+            }
+
+            if (line.find("Did not assign all atoms") != std::string::npos)
+            {
+                hint =
+                    "A grain of the file lies outside of the box in its head (xlo"
+                    " xhi ...). Both are in metres;\npreparePacking writes the"
+                    " box that domain in system/packingDict has. " + hint;
+            }
+
+            if (line.find("Could not locate a fix/property") != std::string::npos)
+            {
+                hint =
+                    "The contact model needs this property: give it by a 'fix ..."
+                    " property/global' in the script\nof the physics, or choose"
+                    " another model there.";
+            }
+
+            if (line.find("Length not sufficient") != std::string::npos)
+            {
+                hint =
+                    "The property has too few values for the materials (atom types)"
+                    " of the grains: one for each,\nn*n with peratomtypepair. Or a"
+                    " packing, or materials in system/packingDict, names one too"
+                    " many.";
+            }
+
+            if (line.find("Too many atom sorting bins") != std::string::npos)
+            {
+                hint =
+                    "The box of the grains, which holds the mesh, is too large for"
+                    " grains of their size: mesh and\ngrains must both be in"
+                    " metres (a mesh in millimetres: transformPoints).";
+            }
+
+            if (line.find("Neighbor list overflow") != std::string::npos)
+            {
+                hint =
+                    "A grain has hundreds of neighbours: diameters and places"
+                    " must both be in metres, and so\nmust the distance that"
+                    " the command 'neighbor' gives.";
             }
 
             // What LIGGGHTS 3.8 adds to an error is read from freed memory

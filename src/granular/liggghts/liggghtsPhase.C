@@ -139,6 +139,10 @@ Foam::liggghtsPhase::liggghtsPhase
     liggghtsChecks::timeStep(liggghts_, physicsScript_);
 
     liggghts_.setup();
+    if (!restarted_)
+    {
+        liggghtsChecks::overlaps(liggghts_, initialScript_);
+    }
     refresh();
     outlet_.begin();
 
