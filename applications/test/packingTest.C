@@ -355,6 +355,18 @@ TEST(packing, saysWhatIsWrong)
             "contradict"
         )
     );
+    EXPECT_TRUE
+    (
+        says
+        (
+            complaint
+            (
+                "type dense; box (0 0 0) (300 300 300); diameter 0.003;"
+                " solidFraction 0.5;"
+            ),
+            "in metres"
+        )
+    );
     EXPECT_TRUE(says(complaint(box + grain), "Too little"));
     EXPECT_TRUE
     (

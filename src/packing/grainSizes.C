@@ -64,7 +64,19 @@ Foam::scalarField Foam::grainSizes::forVolume(const scalar solidVolume) const
     {
         const scalar one =
             constant::mathematical::pi/6*pow3(diameters_[i]);
-        const label n = label(massFractions_[i]*solidVolume/one + 0.5);
+        const scalar many = massFractions_[i]*solidVolume/one + 0.5;
+
+        if (many > labelMax/10)
+        {
+            FatalErrorInFunction
+                << many << " grains of " << diameters_[i] << " m would be"
+                << " needed for " << solidVolume << " m3 of grains, and "
+                << labelMax/10 << " is the most." << nl
+                << "    Box, foot and diameter must all be in metres."
+                << exit(FatalError);
+        }
+
+        const label n = label(many);
         counts[i] = Tuple2<scalar, label>(diameters_[i], n);
         total += n;
     }
