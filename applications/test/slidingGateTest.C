@@ -259,5 +259,13 @@ TEST(slidingGate, BadSettingsAreErrorsThatSayWhatToDo)
     nowhere.set("normal", vector::zero);
     EXPECT_NE(messageOf(nowhere).find("normal"), std::string::npos);
 
+    // Its faces would have no extent along the way that it is drawn
+    dictionary trapdoor(gateAt(0.5));
+    trapdoor.set("point", vector(0.5, 0.5, 0.5));
+    trapdoor.set("normal", vector(0, 0, 2));
+    EXPECT_NE(messageOf(trapdoor).find("lies in its plane"), std::string::npos);
+    trapdoor.set("direction", vector(1, 0, 0));
+    EXPECT_EQ(messageOf(trapdoor), "");
+
     EXPECT_NE(messageOf(gateAt(5)).find("inside"), std::string::npos);
 }

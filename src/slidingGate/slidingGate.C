@@ -75,6 +75,14 @@ Foam::slidingGate::slidingGate(const fvMesh& mesh, const dictionary& dict)
     (
         keywords::unitVector(dict, "direction", vector(0, 0, 1))
     );
+    if (mag(normal ^ direction) < 1e-3)
+    {
+        FatalIOErrorInFunction(dict)
+            << "The gate is drawn along its own normal, " << normal << ": it"
+            << " would never leave its place." << nl
+            << "    Give a direction that lies in its plane (without one it is"
+            << " (0 0 1))." << exit(FatalIOError);
+    }
     speed_ = Function1<scalar>::New("speed", dict);
 
     if (strength_ == 0)
