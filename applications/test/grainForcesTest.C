@@ -279,6 +279,54 @@ TEST(grainForces, areNoneInAnyCellWhereGrainsMoveWithTheFluidAroundThem)
 }
 
 
+//- Power that grains at rest take from water whose velocity changes its sign from
+//  cell to cell, over that which they take from water with one velocity
+scalar dragOnTheShortestWave(const string& smoothing)
+{
+    testMesh box;
+    standingGrains phase(box.mesh());
+    place(phase, 0.1*vector::one + 0.8*pointField(randomPoints(200)), 0.02);
+    phase.grains.U = Zero;
+    grainExchange exchange(box.mesh());
+    exchange.locate(phase);
+    voidFraction pores(exchange, entries("model centroid; " + smoothing));
+    pores.update();
+
+    fluidFields fluid(water(box.mesh().nCells()));
+    const vectorField& at = box.mesh().C();
+    const auto power = [&](const bool wave)
+    {
+        forAll(fluid.U, cell)
+        {
+            const label layer = label(4*at[cell].z());
+            fluid.U[cell] = vector(wave && layer % 2 ? -1 : 1, 0, 0);
+        }
+        interphaseForces forces
+        (
+            exchange, pores, entries("drag { model Ergun; }"), vector(Zero), 1
+        );
+        forces.prepare(fluid, interval);
+        const vectorField force
+        (
+            forces.dragCoefficient()*fluid.U + forces.explicitForce()
+        );
+        return sum(force & fluid.U);
+    };
+
+    return power(true)/power(false);
+}
+
+
+TEST(grainForces, dragTheShortestWaveWhereDragIsNotSmoothed)
+{
+    EXPECT_LT(dragOnTheShortestWave("smoothing { width 25; }"), 0.01);
+    EXPECT_NEAR
+    (
+        dragOnTheShortestWave("smoothing { width 25; drag off; }"), 1, 1e-9
+    );
+}
+
+
 TEST(grainForces, sumUpWithoutWhatWallsGive)
 {
     // Close to the wall x = 0, towards which it goes

@@ -15,11 +15,12 @@ Foam::List<Foam::fluidAtGrain> Foam::fluidAround
 
     // Of the fluid around, for what is exchanged
     setEach(cells, &fluidAtGrain::rhoAround, mapping.smoothed(fluid.rho));
+    setEach(cells, &fluidAtGrain::rhoForDrag, mapping.forDrag(fluid.rho));
     setEach
     (
         cells,
         &fluidAtGrain::momentum,
-        mapping.smoothed(vectorField(fluid.rho*fluid.U))
+        mapping.forDrag(vectorField(fluid.rho*fluid.U))
     );
     setEach
     (
@@ -56,7 +57,7 @@ Foam::List<Foam::meanAtGrain> Foam::meansAround
     (
         cells,
         &meanAtGrain::momentum,
-        mapping.smoothed(vectorField(rho*means.U))
+        mapping.forDrag(vectorField(rho*means.U))
     );
     setEach
     (

@@ -92,8 +92,8 @@ inline Foam::grainState Foam::grainForces::stateOf
 ) const
 {
     const locatedGrain& grain = exchange_.grains()[i];
-    const scalar perRho = 1/fluid.rhoAround;
-    const vector vorticity(perRho*fluid.vorticity);
+    const scalar perRho = 1/fluid.rhoForDrag;
+    const vector vorticity((1/fluid.rhoAround)*fluid.vorticity);
 
     return grainState
     {
@@ -116,7 +116,7 @@ inline void Foam::grainForces::setForce
 (
     const label i,
     const grainState& state,
-    const scalar rhoAround,
+    const fluidAtGrain& fluid,
     const flowAtGrain& flow,
     const scalar K1,
     const vector& lift1,
@@ -126,7 +126,7 @@ inline void Foam::grainForces::setForce
     const locatedGrain& grain = exchange_.grains()[i];
     const scalar volume = mapping_.volumes()[i];
     const scalar N3 = pow3(coarseGraining_);
-    const scalar perRho = 1/rhoAround;
+    const scalar perRho = 1/fluid.rhoAround;
     const vector& v = meanVelocity_[i];
     const vector U(state.slip + v);
     const vector convection(perRho*flow.acceleration);
@@ -143,7 +143,10 @@ inline void Foam::grainForces::setForce
 
     vector load
     (
-        unsupportedLoad(grain, rhoAround, flow.viscousForce, volume, lift)
+        unsupportedLoad
+        (
+            grain, fluid.rhoAround, flow.viscousForce, volume, lift
+        )
     );
 
     // A grain that nothing moves has no velocity to eliminate
@@ -167,7 +170,7 @@ inline void Foam::grainForces::setForce
     const scalar drag = M*K;
     const scalar virtualMass = M*C;
 
-    drag_[i] = perRho*drag;
+    drag_[i] = (1/fluid.rhoForDrag)*drag;
     virtualMass_[i] = perRho*virtualMass;
     pressure_[i] =
         (1 - M)*laws_.excessPressure*laws_.pressureGradient*volume;
@@ -227,7 +230,7 @@ Foam::List<Foam::givenByGrain> Foam::grainForces::prepare
 
     // What a block of grains is asked for stays in the nearest cache
     List<grainState> states(blockOfGrains);
-    scalarField rhoAround(blockOfGrains);
+    List<fluidAtGrain> fluids(blockOfGrains);
     scalarField K(blockOfGrains);
     vectorField lift(blockOfGrains);
 
@@ -238,11 +241,10 @@ Foam::List<Foam::givenByGrain> Foam::grainForces::prepare
         forAll(states, k)
         {
             const label i = first + k;
-            const fluidAtGrain fluidHere(weights.mean(around, i));
 
-            rhoAround[k] = fluidHere.rhoAround;
+            fluids[k] = weights.mean(around, i);
             states[k] =
-                stateOf(i, fluidHere, dSauter.size() ? dSauter[i] : 1);
+                stateOf(i, fluids[k], dSauter.size() ? dSauter[i] : 1);
         }
 
         laws_.dragCoefficients(states, K);
@@ -256,7 +258,7 @@ Foam::List<Foam::givenByGrain> Foam::grainForces::prepare
             (
                 i,
                 states[k],
-                rhoAround[k],
+                fluids[k],
                 flow.size() ? weights.mean(flow, i) : flowAtGrain(),
                 K[k],
                 lift[k],
@@ -267,7 +269,7 @@ Foam::List<Foam::givenByGrain> Foam::grainForces::prepare
             gives.virtualMass = virtualMass_[i];
             gives.pressureShare = pressure_[i];
             gives.explicitForce =
-                explicit_[i]/rhoAround[k]
+                explicit_[i]/fluids[k].rhoForDrag
               + drag_[i]*(states[k].slip + meanVelocity_[i]);
             weights.add(given, i, gives);
         }

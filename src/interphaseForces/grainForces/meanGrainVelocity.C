@@ -15,7 +15,17 @@ void Foam::meanGrainVelocity::update()
         mean_[i] = grains[i].velocity;
     }
 
-    mean_ =
-        mapping_.gather(mapping_.spread(vectorField(mass*mean_)))
-       /mapping_.gather(mapping_.spread(mass));
+    const auto around = [this](const auto& ofGrains)
+    {
+        const cellWeights& weights = mapping_.weights();
+        return weights.gather
+        (
+            mapping_.forDrag
+            (
+                mapping_.perVolumeForDrag(weights.spread(ofGrains))
+            )
+        );
+    };
+
+    mean_ = around(vectorField(mass*mean_))/around(mass);
 }

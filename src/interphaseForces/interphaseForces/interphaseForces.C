@@ -35,7 +35,7 @@ void Foam::interphaseForces::prepare
     const List<givenByGrain> sums(grains_.prepare(fluid, interval));
 
     rho_ = fluid.rho;
-    dragCoefficient_ = rho_*mapping.perVolume
+    dragCoefficient_ = rho_*mapping.perVolumeForDrag
     (
         each(sums, &givenByGrain::drag)
     );
@@ -43,7 +43,7 @@ void Foam::interphaseForces::prepare
     (
         each(sums, &givenByGrain::virtualMass)
     );
-    explicitForce_ = rho_*mapping.perVolume
+    explicitForce_ = rho_*mapping.perVolumeForDrag
     (
         each(sums, &givenByGrain::explicitForce)
     );

@@ -76,7 +76,7 @@ Foam::smoothingModels::diffusion::diffusion
     step_(0),
     nSteps_(0)
 {
-    keywords::check(dict, {"model", "width"});
+    keywords::check(dict, {"model", "width", "drag"});
 
     if (width_ < 0)
     {

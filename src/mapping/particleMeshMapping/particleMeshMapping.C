@@ -3,6 +3,8 @@
 
 #include "particleMeshMapping.H"
 
+#include "Switch.H"
+
 Foam::particleMeshMapping::particleMeshMapping
 (
     const grainExchange& exchange,
@@ -11,6 +13,7 @@ Foam::particleMeshMapping::particleMeshMapping
 :
     exchange_(exchange),
     smoothing_(smoothingModel::New(exchange.mesh(), dict)),
+    smoothsDrag_(dict.getOrDefault<Switch>("drag", true)),
     weights_(exchange.overlap()),
     totalVolume_(0)
 {}
