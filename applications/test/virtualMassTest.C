@@ -59,6 +59,17 @@ TEST(virtualMass, isHalfForASingleSphere)
 }
 
 
+TEST(virtualMass, growsFromTheCoefficientThatIsGiven)
+{
+    EXPECT_EQ(coefficient("model Zuber; coefficient 0.4;", 1), 0.4);
+    EXPECT_DOUBLE_EQ
+    (
+        coefficient("model Zuber; coefficient 0.4;", 0.5),
+        0.8*coefficient("model Zuber;", 0.5)
+    );
+}
+
+
 TEST(virtualMass, constantTakesItsCoefficientAtAnyVoidFraction)
 {
     EXPECT_EQ(coefficient("model constant; coefficient 0.7;", 0.4), 0.7);

@@ -3,7 +3,6 @@
 
 #include "Zuber.H"
 #include "addToRunTimeSelectionTable.H"
-#include "closure.H"
 
 namespace Foam
 {
@@ -13,14 +12,14 @@ namespace Foam
 
 
 Foam::Zuber::Zuber(const dictionary& dict)
-{
-    closure::checkKeywords(dict);
-}
+:
+    single_(coefficientIn(dict))
+{}
 
 
 Foam::scalar Foam::Zuber::coefficient(const grainState& state) const
 {
     const scalar e = state.voidFraction;
 
-    return 0.5*(3 - 2*e)/e;
+    return single_*(3 - 2*e)/e;
 }

@@ -3,7 +3,6 @@
 
 #include "constantVirtualMass.H"
 #include "addToRunTimeSelectionTable.H"
-#include "closure.H"
 #include "error.H"
 
 namespace Foam
@@ -20,18 +19,8 @@ namespace Foam
 
 Foam::constantVirtualMass::constantVirtualMass(const dictionary& dict)
 :
-    coefficient_(dict.getOrDefault<scalar>("coefficient", 0.5))
-{
-    closure::checkKeywords(dict, {"coefficient"});
-
-    if (!(coefficient_ >= 0))
-    {
-        FatalIOErrorInFunction(dict)
-            << "The coefficient of virtual mass is " << coefficient_
-            << "; it must not be negative (0.5 for a single sphere)."
-            << exit(FatalIOError);
-    }
-}
+    coefficient_(coefficientIn(dict))
+{}
 
 
 Foam::scalar

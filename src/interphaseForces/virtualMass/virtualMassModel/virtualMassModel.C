@@ -21,3 +21,19 @@ Foam::virtualMassModel::New(const dictionary& dict)
         closure::without(dict, {"model"})
     );
 }
+
+
+Foam::scalar Foam::virtualMassModel::coefficientIn(const dictionary& dict)
+{
+    closure::checkKeywords(dict, {"coefficient"});
+    const scalar coefficient = dict.getOrDefault<scalar>("coefficient", 0.5);
+
+    if (!(coefficient >= 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "The coefficient of virtual mass is " << coefficient
+            << "; it must not be negative (0.5 for a single sphere)."
+            << exit(FatalIOError);
+    }
+    return coefficient;
+}
