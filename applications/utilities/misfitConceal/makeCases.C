@@ -206,10 +206,10 @@ series recorded
 }
 
 
-std::string csv(const series& s, const word& quantity)
+std::string csv(const series& s, const word& quantity, const bool overTime)
 {
     std::ostringstream os;
-    os << "t_s,"
+    os << (overTime ? "t_s," : "x_m,")
         << (quantity == "pressure" ? "p_Pa" : quantity == "velocity" ? "u_m/s" : "h_m")
         << '\n';
     forAll(s.x, i)
@@ -336,7 +336,7 @@ void Foam::misfit::makeCases
             const label e = all.experiments().find(ch.experiment);
             series s(recorded(cases[i], mine[e].channels[k], ch.name));
             lots.addNoise(s, level*ch.samples.uncertainty);
-            writeWhole(target/ch.name + ".csv", csv(s, ch.samples.quantity));
+            writeWhole(target/ch.name + ".csv", csv(s, ch.samples.quantity, ch.overTime()));
         }
         writeWhole(target/"level", shortNumber(level) + '\n');
 
