@@ -80,7 +80,7 @@ namespace
                     " another model there.";
             }
 
-            if (line.find("Length not sufficient") != std::string::npos)
+            if (line.find("Length not ") != std::string::npos)
             {
                 hint =
                     "The property has too few values for the materials (atom types)"
