@@ -53,8 +53,8 @@ void Foam::demCoupling::checkInside() const
 
     WarningInFunction
         << nOutside << " of " << phase_->nTotal() << " grains are outside of"
-        << " the mesh at the start, as they may where an outflow is named: no"
-        << " fluid acts on them." << nl
+        << " the mesh at the start, as they may where an outflow is named:"
+        << " nothing of the mesh acts on them." << nl
         << "    If they should be in it, place them there, in metres." << nl
         << endl;
 }

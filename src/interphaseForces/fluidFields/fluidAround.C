@@ -14,8 +14,14 @@ Foam::List<Foam::fluidAtGrain> Foam::fluidAround
     List<fluidAtGrain> cells(fluid.rho.size());
 
     // Of the fluid around, for what is exchanged
-    setEach(cells, &fluidAtGrain::rhoAround, mapping.smoothed(fluid.rho));
-    setEach(cells, &fluidAtGrain::rhoForDrag, mapping.forDrag(fluid.rho));
+    const scalarField rhoAround(mapping.smoothed(fluid.rho));
+    setEach(cells, &fluidAtGrain::rhoAround, rhoAround);
+    setEach
+    (
+        cells,
+        &fluidAtGrain::rhoForDrag,
+        mapping.smoothsDrag() ? rhoAround : fluid.rho
+    );
     setEach
     (
         cells,
