@@ -30,6 +30,70 @@ namespace
     std::string hint;
     const Foam::screenTail* heard = nullptr;
 
+    //- What to do about an error of LIGGGHTS that has these words. Beside others: the
+    //  hint that there is stays behind it, elsewhere it gives way
+    struct remedy
+    {
+        const char* words;
+        std::string whatToDo;
+        bool isBesideOthers;
+    };
+
+    const remedy remedies[] =
+    {
+        // It goes on with 'boundary m m m', which is not for this program
+        {
+            "esh elements have been lost",
+            "A surface of the script reaches out of the box of the grains,"
+            " at the start or where it moves to:\nenlarge the region that"
+            " create_box names (where read_data reads the grains of"
+            " preparePacking:\ndomain in system/packingDict).",
+            false
+        },
+        {
+            "Cannot open file",
+            "There is no such file. One of grains (constant/grains/data) is"
+            " written by\npreparePacking: run it before. ",
+            true
+        },
+        {
+            "Did not assign all atoms",
+            "A grain of the file lies outside of the box in its head (xlo"
+            " xhi ...). Both are in metres;\npreparePacking writes the"
+            " box that domain in system/packingDict has. ",
+            true
+        },
+        {
+            "Could not locate a fix/property",
+            "The contact model needs this property: give it by a 'fix ..."
+            " property/global' in the script\nof the physics, or choose"
+            " another model there.",
+            false
+        },
+        {
+            "Length not ",
+            "The property has too few values for the materials (atom types)"
+            " of the grains: one for each,\nn*n with peratomtypepair. Or a"
+            " packing, or materials in system/packingDict, names one too"
+            " many.",
+            false
+        },
+        {
+            "Too many atom sorting bins",
+            "The box of the grains, which holds the mesh, is too large for"
+            " grains of their size: mesh and\ngrains must both be in"
+            " metres (a mesh in millimetres: transformPoints).",
+            false
+        },
+        {
+            "Neighbor list overflow",
+            "A grain has hundreds of neighbours: diameters and places"
+            " must both be in metres, and so\nmust the distance that"
+            " the command 'neighbor' gives.",
+            false
+        }
+    };
+
     //- Write what LIGGGHTS was doing and its last words, where it ended the
     //  program
     void showWhyItStopped()
@@ -47,62 +111,12 @@ namespace
         {
             std::cerr << "    " << line << '\n';
 
-            // It goes on with 'boundary m m m', which is not for this program
-            if (line.find("esh elements have been lost") != std::string::npos)
+            for (const remedy& r : remedies)
             {
-                hint =
-                    "A surface of the script reaches out of the box of the grains,"
-                    " at the start or where it moves to:\nenlarge the region that"
-                    " create_box names (where read_data reads the grains of"
-                    " preparePacking:\ndomain in system/packingDict).";
-            }
-
-            if (line.find("Cannot open file") != std::string::npos)
-            {
-                hint =
-                    "There is no such file. One of grains (constant/grains/data) is"
-                    " written by\npreparePacking: run it before. " + hint;
-            }
-
-            if (line.find("Did not assign all atoms") != std::string::npos)
-            {
-                hint =
-                    "A grain of the file lies outside of the box in its head (xlo"
-                    " xhi ...). Both are in metres;\npreparePacking writes the"
-                    " box that domain in system/packingDict has. " + hint;
-            }
-
-            if (line.find("Could not locate a fix/property") != std::string::npos)
-            {
-                hint =
-                    "The contact model needs this property: give it by a 'fix ..."
-                    " property/global' in the script\nof the physics, or choose"
-                    " another model there.";
-            }
-
-            if (line.find("Length not ") != std::string::npos)
-            {
-                hint =
-                    "The property has too few values for the materials (atom types)"
-                    " of the grains: one for each,\nn*n with peratomtypepair. Or a"
-                    " packing, or materials in system/packingDict, names one too"
-                    " many.";
-            }
-
-            if (line.find("Too many atom sorting bins") != std::string::npos)
-            {
-                hint =
-                    "The box of the grains, which holds the mesh, is too large for"
-                    " grains of their size: mesh and\ngrains must both be in"
-                    " metres (a mesh in millimetres: transformPoints).";
-            }
-
-            if (line.find("Neighbor list overflow") != std::string::npos)
-            {
-                hint =
-                    "A grain has hundreds of neighbours: diameters and places"
-                    " must both be in metres, and so\nmust the distance that"
-                    " the command 'neighbor' gives.";
+                if (line.find(r.words) != std::string::npos)
+                {
+                    hint = r.whatToDo + (r.isBesideOthers ? hint : "");
+                }
             }
 
             // What LIGGGHTS 3.8 adds to an error is read from freed memory
