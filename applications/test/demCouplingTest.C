@@ -200,6 +200,12 @@ TEST(demCoupling, goesEvenlyToTheVoidFractionThatTheGrainsLeave)
     const fvMesh& mesh = w.box().mesh();
     demCoupling grains(mesh, hydrostatics(g));
     const fluidFields water(w.water());
+    volScalarField voidFraction
+    (
+        IOobject("voidFraction", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar("one", dimless, 1)
+    );
     const scalarField before(1 - grains.solidFraction());
     grains.start(vectorField(mesh.nCells(), 1000*g), water.U);
 
@@ -211,12 +217,20 @@ TEST(demCoupling, goesEvenlyToTheVoidFractionThatTheGrainsLeave)
     EXPECT_FALSE(grains.due());
     const scalarField after(1 - grains.solidFraction());
     EXPECT_GT(max(mag(after - before)), 1e-12);
-    EXPECT_LT
-    (
-        max(mag(grains.targetVoidFraction(interval/2) - (before + after)/2)),
-        1e-15
-    );
-    EXPECT_EQ(grains.targetVoidFraction(interval), after);
+
+    // Times the interval, whatever the fluid's step
+    const auto change = [&](const scalar dt)
+    {
+        return scalarField
+        (
+            interval*grains.voidFractionRate(voidFraction, dt)().field()
+        );
+    };
+    voidFraction.primitiveFieldRef() = before;
+    EXPECT_LT(max(mag(change(interval) - (after - before))), 1e-15);
+    EXPECT_LT(max(mag(change(interval/2) - (after - before)/2)), 1e-15);
+    voidFraction.primitiveFieldRef() = after;
+    EXPECT_LT(max(mag(change(interval))), 1e-15);
 }
 
 

@@ -199,15 +199,29 @@ void Foam::demCoupling::prepareForces(const fluidFields& fluid)
 }
 
 
-Foam::scalarField Foam::demCoupling::targetVoidFraction
+Foam::tmp<Foam::volScalarField::Internal>
+Foam::demCoupling::voidFractionRate
 (
+    const volScalarField& voidFraction,
     const scalar dt
 ) const
 {
-    const scalar done =
-        min((elapsed_ + dt)/phase_->exchangeInterval(), scalar(1));
+    const scalar interval = phase_->exchangeInterval();
+    const scalar done = min((elapsed_ + dt)/interval, scalar(1));
+    const scalarField asked
+    (
+        1 - ((1 - done)*solidBefore_ + done*solidAfter_)
+    );
 
-    return 1 - ((1 - done)*solidBefore_ + done*solidAfter_);
+    // Within a fluid step the flux would jump where their number in an interval
+    // changes, and the pressure with it
+    return tmp<volScalarField::Internal>::New
+    (
+        IOobject("voidFractionRate", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimless/dimTime,
+        (asked - voidFraction.primitiveField())/interval
+    );
 }
 
 
