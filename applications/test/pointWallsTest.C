@@ -112,6 +112,69 @@ TEST(pointWalls, aPointBehindAHollowWallIsPutBack)
 }
 
 
+TEST(pointWalls, aPointInAFoldOfAHollowWallIsPutBackBeforeBothFaces)
+{
+    for (const scalar turn : {6.0, 12.0, 20.0, 45.0})
+    {
+        for (const scalar shift : {0.0, 0.011, 0.023, 0.037})
+        {
+            const pointGrid grid(slice());
+            pointWalls walls(grid);
+            const label wall = walls.add("arc", 0);
+            List<vector2D> corner(7);
+            forAll(corner, i)
+            {
+                const scalar a = (i - 3)*turn*M_PI/180;
+                corner[i] =
+                    vector2D(0.5 + shift, 0.5 - shift)
+                  + 0.4*vector2D(std::sin(a), -std::cos(a));
+            }
+            for (label i = 0; i < 6; ++i)
+            {
+                addFace(walls, wall, corner[i], corner[i + 1]);
+            }
+            walls.findNodes();
+
+            // Of what is a little behind one of the two, or both
+            for (label i = 1; i < 6; ++i)
+            {
+                const vector2D& fold = corner[i];
+                const vector2D left((corner[i - 1] - fold)/mag(corner[i - 1] - fold));
+                const vector2D right((corner[i + 1] - fold)/mag(corner[i + 1] - fold));
+                const vector2D out(fold - vector2D(0.5 + shift, 0.5 - shift));
+
+                for (scalar s = -0.02; s < 0.02; s += 0.0007)
+                {
+                    const vector2D at
+                    (
+                        fold + mag(s)*(s < 0 ? left : right)
+                      + 0.002*out/mag(out)
+                    );
+                    point p(at.x(), 0.05, at.y());
+                    FixedList<label, 3> cell(0);
+                    for (label k = 0; k < 2; ++k)
+                    {
+                        cell[k] = pointGrid::cell(grid.coordinate(p, k));
+                    }
+                    walls.putBack(p, grid.node(cell));
+
+                    const vector2D now(vector2D(p.x(), p.z()) - fold);
+                    const scalar before =
+                        min
+                        (
+                            left.y()*now.x() - left.x()*now.y(),
+                            right.x()*now.y() - right.y()*now.x()
+                        );
+                    EXPECT_GE(before, 0)
+                        << turn << " degrees, shift " << shift << ", fold " << i
+                        << ", " << s << " m from it";
+                }
+            }
+        }
+    }
+}
+
+
 TEST(pointWalls, aPointBesideAnEdgeThatStandsOutIsLeftAlone)
 {
     // A step down at x = 0.53, off the lines of the grid

@@ -73,6 +73,34 @@ Foam::DynamicList<Foam::label> Foam::pointWalls::beyondEdges
 }
 
 
+bool Foam::pointWalls::facesAll
+(
+    const facet& f,
+    const UList<barrier>& walls,
+    const label n,
+    const label node
+) const
+{
+    const point p(grid_.position(node));
+    const plane face(planeOf(f, p));
+
+    for (label i = 0; i < n; ++i)
+    {
+        const plane& wall = walls[i];
+        const scalar foot =
+            face.distance
+          - wall.distance*(face.normal*wall.normal).sum();
+
+        if (depth(wall, f.centre, p) >= 0 || foot < -little*grid_.h())
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
+
+
 void Foam::pointWalls::addBarrier
 (
     DynamicList<barrier>& ofNode,
@@ -87,7 +115,7 @@ void Foam::pointWalls::addBarrier
     // Whether a point of the cell gets behind its plane in a step
     const scalar reach = (0.5*face.normal.abs().sum() + 0.5 - little)*grid_.h();
     const bool passes =
-        edges.empty() ? face.distance > 0 : face.distance > -reach;
+        face.distance > (edges.empty() && !isHeld_[node] ? 0 : -reach);
 
     for (barrier& wall : ofNode)
     {
@@ -154,13 +182,20 @@ void Foam::pointWalls::findBarriers()
 
     forAll(ofNodes, node)
     {
+        const label nHeld = ofNodes[node].size();
+
         for (const label i : around[node])
         {
             const DynamicList<label> edges
             (
                 beyondEdges(facets_[i], around[node])
             );
-            if (!isHeld_[node] || edges.size())
+            if
+            (
+                !isHeld_[node]
+             || edges.size()
+             || facesAll(facets_[i], ofNodes[node], nHeld, node)
+            )
             {
                 addBarrier(ofNodes[node], node, facets_[i], edges);
             }
