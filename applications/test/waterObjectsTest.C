@@ -6,6 +6,8 @@
 #include "porePressureProbes.H"
 #include "tank.H"
 
+#include "unitConversion.H"
+
 using namespace Foam;
 
 
@@ -77,6 +79,43 @@ TEST_F(tank, withoutGravityAVerticalLevelIsAnErrorAndANormalOneNot)
     };
     EXPECT_THROW(probes("vertical;"), Foam::IOerror);
     EXPECT_NO_THROW(probes("normal;"));
+}
+
+
+TEST_F(tank, aLayerAlongASlopeHasNoExcessPressureInALayersMeasure)
+{
+    const scalar slope = degToRad(22.0);
+    gravity(9.81*vector(std::sin(slope), 0, -std::cos(slope)));
+
+    // Water 0.5 m deep, measured normal to the base, that flows along it
+    const scalar p = 1000*9.81*std::cos(slope)*0.5;
+    p_.boundaryFieldRef() = p;
+
+    const auto hydrostatic = [&](const word& how)
+    {
+        functionObjects::porePressureProbes probes
+        (
+            how,
+            box_.time(),
+            dict
+            (
+                "probes ((0.45 0.45 0)); patch zMin; radius 0.31;"
+                " writePrecision 12; excessPressure 0.5; hydrostatic " + how
+              + ";"
+            )
+        );
+        probes.execute();
+        probes.write();
+
+        // Half of the excess pressure is shown
+        const scalarList line(lastLine(how, "porePressureProbes"));
+        EXPECT_NEAR(line[3], (p - line[2])/2, 1e-2) << how;
+        EXPECT_NEAR(line[1], line[2] + line[3], 1e-2) << how;
+        return line[2];
+    };
+    EXPECT_NEAR(hydrostatic("layer")/p, 1, 1e-6);
+    EXPECT_NEAR(p/hydrostatic("normal"), std::cos(slope), 1e-6);
+    EXPECT_NEAR(p/hydrostatic("vertical"), sqr(std::cos(slope)), 1e-6);
 }
 
 

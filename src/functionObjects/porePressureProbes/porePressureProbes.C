@@ -19,7 +19,8 @@ const Foam::Enum<Foam::functionObjects::porePressureProbes::levelType>
 Foam::functionObjects::porePressureProbes::levelNames
 ({
     {levelType::vertical, "vertical"},
-    {levelType::normal, "normal"}
+    {levelType::normal, "normal"},
+    {levelType::layer, "layer"}
 });
 
 
@@ -172,6 +173,20 @@ Foam::functionObjects::porePressureProbes::excessShown() const
 }
 
 
+Foam::scalar Foam::functionObjects::porePressureProbes::perMetre
+(
+    const label i
+) const
+{
+    return rhoWater()
+       *(
+            level_ == levelType::layer
+          ? gravity() & discs_[i].normal()
+          : mag(gravity())
+        );
+}
+
+
 Foam::word Foam::functionObjects::porePressureProbes::seriesName
 (
     const label i
@@ -315,16 +330,16 @@ bool Foam::functionObjects::porePressureProbes::sample()
     const scalarField& pWall = tp().boundaryField()[patchi];
 
     const scalarList fromGrains(grainStress());
-    const scalar rhoG = rhoWater()*mag(gravity());
 
     line_.clear();
     forAll(probes_, i)
     {
         const scalar level = columns_[i].integral(talpha());
+        const scalar rest = perMetre(i)*level;
         const scalar hidden = 1 - excessShown();
         const auto shown = [&](const scalar pressure)
         {
-            return pressure - hidden*(pressure - rhoG*level);
+            return pressure - hidden*(pressure - rest);
         };
         const scalar p = shown(discs_[i].nearest(pWall));
         const scalar onBase = shown(discs_[i].mean(pWall));
@@ -335,7 +350,7 @@ bool Foam::functionObjects::porePressureProbes::sample()
 
         line_.append
         (
-            scalarList({p, rhoG*level, p - rhoG*level, level, sigma, lambda})
+            scalarList({p, rest, p - rest, level, sigma, lambda})
         );
 
         pressure_[i].append(now(), p);
