@@ -255,6 +255,7 @@ TEST(voidFraction, keysOfSmoothingMayStayWhereThereIsNone)
     dictionary dict(settings("centroid", "none"));
     dictionary& smoothing = dict.subDict("smoothing");
     smoothing.add("drag", "off");
+    smoothing.add("diameter", 0.01);
 
     EXPECT_EQ(refusal([&]{ voidFraction p(exchange, dict); }), "nothing");
 }
