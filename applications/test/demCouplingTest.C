@@ -82,6 +82,15 @@ public:
         write("constant/grains/initial", os.str());
     }
 
+    //- The physics script, with a line more
+    void addPhysics(const std::string& line) const
+    {
+        std::ofstream
+        (
+            box_.folder()/"constant/grains/physics", std::ios::app
+        )   << line << "\n";
+    }
+
     testMesh& box()
     {
         return box_;
@@ -179,6 +188,22 @@ TEST(demCoupling, refusesFormerAndUnknownKeysOfItsDictionary)
     (
         error("exchange { interval 0; }").find("1 or more"), std::string::npos
     );
+}
+
+
+TEST(demCoupling, refusesADEMStepThatChangesMeanwhile)
+{
+    boxOfWater w;
+    w.addPhysics("fix own all dt/reset 10 1e-6 2e-5 1e-4 units box");
+    const std::string said
+    (
+        refusal([&]{ demCoupling(w.box().mesh(), hydrostatics(g)); })
+    );
+
+    expectSays(said, "constant/grains/physics");
+    expectSays(said, "changes the DEM step");
+    expectSays(said, "(fix own)");
+    expectSays(said, "Take the fix out");
 }
 
 

@@ -3,7 +3,10 @@
 
 #include "diffusion.H"
 #include "grainsInBox.H"
+#include "saidDuring.H"
 #include "testNumber.H"
+
+#include "IStringStream.H"
 
 #include <gtest/gtest.h>
 
@@ -24,6 +27,58 @@ vector secondMoment
     const scalarField weight(mesh.V().field()*a);
     const vectorField r(mesh.C().primitiveField() - middle);
     return sum(weight*cmptMultiply(r, r))/sum(weight);
+}
+
+//- A bed of grains of 2 mm, 0.1 m high, beneath air: the largest change of its solid
+//  fraction [-], and the solid that passes its surface [m], when two grains of 20 mm
+//  come in 0.25 m above it, 9 % of the volume
+Pair<scalar> changeOfBedAtRest(const std::string& more)
+{
+    testBox b;
+    b.span = vector(0.04, 0.04, 0.4);
+    b.cells = labelVector(8, 8, 80);
+    testMesh test(b);
+    const fvMesh& mesh = test.mesh();
+
+    const label n = 20000;
+    pointField places(n + 2, point(0.02, 0.02, 0.35));
+    places[n].z() += 0.02;
+    for (label i = 0; i < n; ++i)
+    {
+        places[i] = 0.002*vector(i % 20 + 0.5, i/20 % 20 + 0.5, i/400 + 0.5);
+    }
+
+    standingGrains phase(mesh);
+    grainExchange exchange(mesh);
+    dictionary dict(settings("sphereCaps", "diffusion"));
+    dictionary& smoothing = dict.subDict("smoothing");
+    smoothing.set("width", 3);
+    smoothing.merge(dictionary(IStringStream(more)()));
+    voidFraction pores(exchange, dict);
+
+    place(phase, pointField(SubField<point>(places, n)), 0.001);
+    exchange.locate(phase);
+    pores.update();
+    const scalarField before(pores.solidFraction());
+
+    place(phase, places, 0.001);
+    phase.radii[n] = phase.radii[n + 1] = 0.01;
+    exchange.locate(phase);
+    pores.update();
+    const scalarField change(pores.solidFraction() - before);
+
+    Pair<scalar> result(0, 0);
+    forAll(change, cell)
+    {
+        const scalar z = mesh.C()[cell].z();
+        if (z < 0.2)
+        {
+            result.first() = max(result.first(), mag(change[cell]));
+            result.second() +=
+                z > 0.1 ? change[cell]*mesh.V()[cell]/sqr(0.04) : 0;
+        }
+    }
+    return result;
 }
 
 } // End anonymous namespace
@@ -68,7 +123,12 @@ TEST(diffusion, aPointBecomesABellCurveOfTheWidth)
     (
         mag
         (
-            secondMoment(test.mesh(), pores.mapping().smoothed(one), middle)
+            secondMoment
+            (
+                test.mesh(),
+                pores.mapping().smoothed(one, pores.mapping().ofVolume()),
+                middle
+            )
           - vector::uniform(exact)
         ),
         1e-9*exact
@@ -127,4 +187,39 @@ TEST(diffusion, narrowSmoothingKeepsItsSteps)
     // (3 d)^2/4 over dx^2/12, of equal cells
     narrow.setDiameter(0.04);
     EXPECT_EQ(narrow.nFluxes(), 18);
+}
+
+
+TEST(diffusion, aBedAtRestStaysWhereCoarseGrainsComeInFarFromItAndADiameterIsGiven)
+{
+    Pair<scalar> change;
+    const std::string said
+    (
+        saidDuring([&]{ change = changeOfBedAtRest(""); })
+    );
+    testNumber("change of the solid fraction", change.first());
+    testNumber("solid that passes the surface [m]", change.second());
+    expectSays(said, "went from 0.002 to");
+    expectSays(said, "diameter 0.002;");
+
+    const std::string quiet
+    (
+        saidDuring([&]{ change = changeOfBedAtRest("diameter 0.002;"); })
+    );
+    EXPECT_EQ(change.first(), 0);
+    expectSaysNo(quiet, "Warning");
+}
+
+
+TEST(diffusion, aDiameterOfNothingIsAnError)
+{
+    testMesh test(box());
+    grainExchange exchange(test.mesh());
+    dictionary dict(settings("centroid", "diffusion"));
+    dict.subDict("smoothing").add("diameter", 0);
+
+    expectSays
+    (
+        refusal([&]{ voidFraction p(exchange, dict); }), "diameter is 0 m"
+    );
 }

@@ -54,6 +54,60 @@ void expectRestartIsExact(const string& rest = "")
     EXPECT_EQ(whole->nTotal(), n);
 }
 
+//- Beside a fluid points move before the time of the mesh does, alone behind it
+enum class TimeOfMesh
+{
+    behind,
+    ahead
+};
+
+
+//- Stop when the time to settle is over. The strain of settling would have taken
+//  all friction
+void expectRestartAsSettlingEnds(const TimeOfMesh ofMesh)
+{
+    const string here
+    (
+        "box ((0 0 0) (0.2 1 0.2)); } residualFrictionAngle 10;"
+        " softeningStrains (0 1e-5); settling { time 0.007; damping 20;"
+    );
+    const string rest("timeStep 1e-4;");
+    testMesh box(slice());
+    const auto goOn = [&](granularPhase& phase, const label n)
+    {
+        for (label i = 0; i < n; ++i)
+        {
+            const label now = box.time().timeIndex() + 1;
+            const auto toNow = [&]() { box.time().setTime(1e-3*now, now); };
+
+            if (ofMesh == TimeOfMesh::ahead)
+            {
+                toNow();
+            }
+            phase.advance();
+            if (ofMesh == TimeOfMesh::behind)
+            {
+                toNow();
+            }
+        }
+    };
+
+    auto whole = points(box.mesh(), here, rest);
+    goOn(*whole, 7);
+
+    const fileName folder(box.time().timePath()/granularPhase::stateFolder);
+    mkDir(folder);
+    ASSERT_TRUE(whole->writeState(folder));
+    whole->checkOut();
+
+    auto second = points(box.mesh(), here, rest);
+    ASSERT_TRUE(second->restarted());
+    goOn(*whole, 20);
+    box.time().setTime(7e-3, 7);
+    goOn(*second, 20);
+    EXPECT_EQ(furthest(*whole, *second), 0);
+}
+
 } // End anonymous namespace
 
 
@@ -66,6 +120,13 @@ TEST(materialPointsPhase, aRestartIsExactToTheLastBit)
 TEST(materialPointsPhase, aRestartOfBodiesInContactIsExactToTheLastBit)
 {
     expectRestartIsExact(secondBody);
+}
+
+
+TEST(materialPointsPhase, aRestartAsSettlingEndsIsExactToTheLastBit)
+{
+    expectRestartAsSettlingEnds(TimeOfMesh::behind);
+    expectRestartAsSettlingEnds(TimeOfMesh::ahead);
 }
 
 

@@ -248,6 +248,19 @@ TEST(voidFraction, anEnlargementIsForCapsAloneAndNotBelowOne)
 }
 
 
+TEST(voidFraction, keysOfSmoothingMayStayWhereThereIsNone)
+{
+    testMesh test(box());
+    grainExchange exchange(test.mesh());
+    dictionary dict(settings("centroid", "none"));
+    dictionary& smoothing = dict.subDict("smoothing");
+    smoothing.add("drag", "off");
+    smoothing.add("diameter", 0.01);
+
+    EXPECT_EQ(refusal([&]{ voidFraction p(exchange, dict); }), "nothing");
+}
+
+
 TEST(voidFraction, formerNamesOfModelsAreErrorsThatSayThePresentOnes)
 {
     testMesh test(box());

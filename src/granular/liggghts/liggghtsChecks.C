@@ -221,6 +221,16 @@ void Foam::liggghtsChecks::noOwnFixes
                 << nl << "    Take the fix out, and the grains out of the group"
                 << " that fix nve/sphere moves." << exit(FatalError);
         }
+
+        if (!std::strcmp(modify.fix[i]->style, "dt/reset"))
+        {
+            FatalErrorInFunction
+                << script << " changes the DEM step while the run goes on (fix "
+                << modify.fix[i]->id << "): an exchange is a number of these"
+                << " steps, and grains and water would part in time." << nl
+                << "    Take the fix out, and give one step for the whole run with"
+                << " the command 'timestep'." << exit(FatalError);
+        }
     }
 }
 

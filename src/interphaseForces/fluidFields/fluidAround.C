@@ -13,26 +13,30 @@ Foam::List<Foam::fluidAtGrain> Foam::fluidAround
 {
     List<fluidAtGrain> cells(fluid.rho.size());
 
+    const smoothingModel& ofVolume = mapping.ofVolume();
+    const smoothingModel& ofMomentum = mapping.ofMomentum();
+
     // Of the fluid around, for what is exchanged
-    const scalarField rhoAround(mapping.smoothed(fluid.rho));
+    const scalarField rhoAround(mapping.smoothed(fluid.rho, ofVolume));
     setEach(cells, &fluidAtGrain::rhoAround, rhoAround);
     setEach
     (
         cells,
-        &fluidAtGrain::rhoForDrag,
-        mapping.smoothsDrag() ? rhoAround : fluid.rho
+        &fluidAtGrain::rhoOfMomentum,
+        &ofMomentum == &ofVolume
+      ? rhoAround : mapping.smoothed(fluid.rho, ofMomentum)
     );
     setEach
     (
         cells,
         &fluidAtGrain::momentum,
-        mapping.forDrag(vectorField(fluid.rho*fluid.U))
+        mapping.smoothed(vectorField(fluid.rho*fluid.U), ofMomentum)
     );
     setEach
     (
         cells,
         &fluidAtGrain::vorticity,
-        mapping.smoothed(vectorField(fluid.rho*fluid.vorticity))
+        mapping.smoothed(vectorField(fluid.rho*fluid.vorticity), ofVolume)
     );
 
     // Of the fluid at hand, for the laws
@@ -57,19 +61,19 @@ Foam::List<Foam::meanAtGrain> Foam::meansAround
     (
         cells,
         &meanAtGrain::rhoAround,
-        mapping.smoothed(means.rho)
+        mapping.smoothed(means.rho, mapping.ofVolume())
     );
     setEach
     (
         cells,
         &meanAtGrain::momentum,
-        mapping.forDrag(vectorField(rho*means.U))
+        mapping.smoothed(vectorField(rho*means.U), mapping.ofMomentum())
     );
     setEach
     (
         cells,
         &meanAtGrain::pressureGradient,
-        mapping.smoothed(means.pressureGradient)
+        mapping.smoothed(means.pressureGradient, mapping.ofVolume())
     );
 
     return mapping.weights().reached(std::move(cells));
@@ -101,7 +105,7 @@ Foam::List<Foam::flowAtGrain> Foam::flowAround
         (
             cells,
             &flowAtGrain::acceleration,
-            mapping.smoothed(vectorField(rho*acceleration))
+            mapping.smoothed(vectorField(rho*acceleration), mapping.ofVolume())
         );
     }
     if (shears)
@@ -110,7 +114,7 @@ Foam::List<Foam::flowAtGrain> Foam::flowAround
         (
             cells,
             &flowAtGrain::viscousForce,
-            mapping.smoothed(viscousForce)
+            mapping.smoothed(viscousForce, mapping.ofVolume())
         );
     }
 

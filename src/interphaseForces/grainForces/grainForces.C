@@ -92,7 +92,7 @@ inline Foam::grainState Foam::grainForces::stateOf
 ) const
 {
     const locatedGrain& grain = exchange_.grains()[i];
-    const scalar perRho = 1/fluid.rhoForDrag;
+    const scalar perRho = 1/fluid.rhoOfMomentum;
     const vector vorticity((1/fluid.rhoAround)*fluid.vorticity);
 
     return grainState
@@ -170,7 +170,7 @@ inline void Foam::grainForces::setForce
     const scalar drag = M*K;
     const scalar virtualMass = M*C;
 
-    drag_[i] = (1/fluid.rhoForDrag)*drag;
+    drag_[i] = (1/fluid.rhoOfMomentum)*drag;
     virtualMass_[i] = perRho*virtualMass;
     pressure_[i] =
         (1 - M)*laws_.excessPressure*laws_.pressureGradient*volume;
@@ -269,7 +269,7 @@ Foam::List<Foam::givenByGrain> Foam::grainForces::prepare
             gives.virtualMass = virtualMass_[i];
             gives.pressureShare = pressure_[i];
             gives.explicitForce =
-                explicit_[i]/fluids[k].rhoForDrag
+                explicit_[i]/fluids[k].rhoOfMomentum
               + drag_[i]*(states[k].slip + meanVelocity_[i]);
             weights.add(given, i, gives);
         }

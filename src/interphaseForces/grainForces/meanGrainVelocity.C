@@ -18,11 +18,13 @@ void Foam::meanGrainVelocity::update()
     const auto around = [this](const auto& ofGrains)
     {
         const cellWeights& weights = mapping_.weights();
+        const smoothingModel& smoothing = mapping_.ofMomentum();
         return weights.gather
         (
-            mapping_.forDrag
+            mapping_.smoothed
             (
-                mapping_.perVolumeForDrag(weights.spread(ofGrains))
+                mapping_.perVolume(weights.spread(ofGrains), smoothing),
+                smoothing
             )
         );
     };

@@ -35,22 +35,22 @@ void Foam::interphaseForces::prepare
     const List<givenByGrain> sums(grains_.prepare(fluid, interval));
 
     rho_ = fluid.rho;
-    dragCoefficient_ = rho_*mapping.perVolumeForDrag
+    dragCoefficient_ = rho_*mapping.perVolume
     (
-        each(sums, &givenByGrain::drag)
+        each(sums, &givenByGrain::drag), mapping.ofMomentum()
     );
     virtualMassCoefficient_ = rho_*mapping.perVolume
     (
-        each(sums, &givenByGrain::virtualMass)
+        each(sums, &givenByGrain::virtualMass), mapping.ofVolume()
     );
-    explicitForce_ = rho_*mapping.perVolumeForDrag
+    explicitForce_ = rho_*mapping.perVolume
     (
-        each(sums, &givenByGrain::explicitForce)
+        each(sums, &givenByGrain::explicitForce), mapping.ofMomentum()
     );
     explicitForce_ -= dragCoefficient_*fluid.U;
     pressureShare_ = mapping.perVolume
     (
-        each(sums, &givenByGrain::pressureShare)
+        each(sums, &givenByGrain::pressureShare), mapping.ofVolume()
     );
 }
 

@@ -71,18 +71,28 @@ Foam::smoothingModels::diffusion::diffusion
 :
     mesh_(mesh),
     width_(dict.lookupOrDefault<scalar>("width", 3)),
+    givenDiameter_(dict.lookupOrDefault<scalar>("diameter", 0)),
+    diameter_(0),
+    warnedOfJump_(false),
     conductance_(mesh.nFaces(), Zero),
     longestStep_(GREAT),
     step_(0),
     nSteps_(0)
 {
-    keywords::check(dict, {"model", "width", "drag"});
+    keywords::check(dict, {"model", "width", "diameter", "drag"});
 
     if (width_ < 0)
     {
         FatalIOErrorInFunction(dict)
             << "width is " << width_ << " grain diameters: give 0 or more"
             << " (default 3; Sun & Xiao use 6)." << exit(FatalIOError);
+    }
+    if (dict.found("diameter") && !(givenDiameter_ > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "diameter is " << givenDiameter_ << " m; it must be above zero."
+            << " Without it the width goes by the mean of the grains."
+            << exit(FatalIOError);
     }
 
     scalarField perCell(mesh.nCells(), Zero);
@@ -117,10 +127,33 @@ Foam::smoothingModels::diffusion::diffusion
 }
 
 
+void Foam::smoothingModels::diffusion::warnOfJump(const scalar next)
+{
+    const bool jumps =
+        diameter_ > 0 && next > 0 && mag(next - diameter_) > 0.01*diameter_;
+
+    if (jumps && !warnedOfJump_)
+    {
+        warnedOfJump_ = true;
+        WarningInFunction
+            << "The mean diameter of the grains went from " << diameter_ << " to "
+            << next << " m within one exchange (said once), and with it the width"
+            << " of the smoothing: the void fraction changes at once also where"
+            << " no grain moves, and drives water there." << nl
+            << "    Give voidFraction/smoothing of constant/granularProperties a"
+            << " diameter of its own, as: diameter " << diameter_ << ";" << endl;
+    }
+}
+
+
 void Foam::smoothingModels::diffusion::setDiameter(const scalar d)
 {
+    const scalar next = givenDiameter_ > 0 ? givenDiameter_ : d;
+    warnOfJump(next);
+    diameter_ = next;
+
     // A point becomes exp(-r^2/(4 t)) after the time t
-    const scalar duration = sqr(width_*d)/4;
+    const scalar duration = sqr(width_*diameter_)/4;
 
     nSteps_ = label(std::ceil(duration/longestStep_));
     step_ = nSteps_ ? duration/nSteps_ : 0;

@@ -4,6 +4,7 @@
 #include "particleMeshMapping.H"
 
 #include "Switch.H"
+#include "noSmoothing.H"
 
 Foam::particleMeshMapping::particleMeshMapping
 (
@@ -12,17 +13,24 @@ Foam::particleMeshMapping::particleMeshMapping
 )
 :
     exchange_(exchange),
-    smoothing_(smoothingModel::New(exchange.mesh(), dict)),
-    smoothsDrag_(dict.getOrDefault<Switch>("drag", true)),
+    ofVolume_(smoothingModel::New(exchange.mesh(), dict)),
     weights_(exchange.overlap()),
     totalVolume_(0)
-{}
+{
+    if (!dict.getOrDefault<Switch>("drag", true))
+    {
+        ofMomentum_.reset
+        (
+            new smoothingModels::noSmoothing(mesh(), dictionary::null)
+        );
+    }
+}
 
 
 void Foam::particleMeshMapping::set(const sizes& all)
 {
     totalVolume_ = returnReduce(scalar(all.volume), sumOp<scalar>());
-    smoothing_->setDiameter
+    ofVolume_->setDiameter
     (
         returnReduce(all.diameter, sumOp<scalar>())/max(totalVolume_, VSMALL)
     );

@@ -227,7 +227,7 @@ void Foam::materialPointsPhase::move(const scalar time)
 
 void Foam::materialPointsPhase::end()
 {
-    settling_->end(mesh_.time().value());
+    settling_->end(exchangeInterval());
     refresh();
 }
 

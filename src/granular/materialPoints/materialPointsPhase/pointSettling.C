@@ -9,10 +9,11 @@ Foam::pointSettling::pointSettling
 (
     materialPointMethod& method,
     const dictionary& bodies,
-    const scalar now
+    const scalar start
 )
 :
-    method_(method)
+    method_(method),
+    now_(start)
 {
     for (const word& body : method_.bodies())
     {
@@ -36,17 +37,19 @@ Foam::pointSettling::pointSettling
 
         const label i = until_.size();
         until_.append(time);
-        settles_.append(now < time*(1 - 1e-9));
+        settles_.append(now_ < time*(1 - 1e-9));
         method_.setDamping(i, settles_[i] ? rate : 0);
     }
 }
 
 
-void Foam::pointSettling::end(const scalar now)
+void Foam::pointSettling::end(const scalar interval)
 {
+    now_ += interval;
+
     forAll(until_, body)
     {
-        if (settles_[body] && now >= until_[body]*(1 - 1e-9))
+        if (settles_[body] && now_ >= until_[body]*(1 - 1e-9))
         {
             settles_[body] = false;
             method_.setDamping(body, 0);
