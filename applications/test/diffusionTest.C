@@ -199,6 +199,8 @@ TEST(diffusion, aBedAtRestStaysWhereCoarseGrainsComeInFarFromItAndADiameterIsGiv
     );
     testNumber("change of the solid fraction", change.first());
     testNumber("solid that passes the surface [m]", change.second());
+    EXPECT_GT(change.first(), 0.05);
+    EXPECT_GT(change.second(), 5e-4);
     expectSays(said, "went from 0.002 to");
     expectSays(said, "diameter 0.002;");
 

@@ -175,6 +175,43 @@ TEST(pointWalls, aPointInAFoldOfAHollowWallIsPutBackBeforeBothFaces)
 }
 
 
+TEST(pointWalls, aPointInASharpFoldIsPutBackBeforeBothFaces)
+{
+    for (const scalar between : {30.0, 60.0, 80.0, 90.0, 120.0})
+    {
+        const scalar half = between/2*M_PI/180;
+        const vector2D fold(0.513, 0.207);
+        const vector2D left(-std::sin(half), std::cos(half));
+        const vector2D right(std::sin(half), std::cos(half));
+        const pointGrid grid(slice());
+        pointWalls walls(grid);
+        const label wall = walls.add("fold", 0);
+        addFace(walls, wall, fold + 0.6*left, fold);
+        addFace(walls, wall, fold, fold + 0.6*right);
+        walls.findNodes();
+
+        for (scalar s = -0.01; s < 0.01; s += 0.0007)
+        {
+            const vector2D at(fold + vector2D(s, -0.001));
+            point p(at.x(), 0.05, at.y());
+            FixedList<label, 3> cell(0);
+            for (label k = 0; k < 2; ++k)
+            {
+                cell[k] = pointGrid::cell(grid.coordinate(p, k));
+            }
+            walls.putBack(p, grid.node(cell));
+
+            const vector2D now(vector2D(p.x(), p.z()) - fold);
+            EXPECT_GE(left.y()*now.x() - left.x()*now.y(), -1e-7)
+                << between << " degrees, " << s << " m beside it";
+            EXPECT_GE(right.x()*now.y() - right.y()*now.x(), -1e-7)
+                << between << " degrees, " << s << " m beside it";
+            EXPECT_LT(mag(now), 0.05);
+        }
+    }
+}
+
+
 TEST(pointWalls, aPointBesideAnEdgeThatStandsOutIsLeftAlone)
 {
     // A step down at x = 0.53, off the lines of the grid

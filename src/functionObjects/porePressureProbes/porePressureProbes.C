@@ -118,6 +118,17 @@ void Foam::functionObjects::porePressureProbes::findPlaces
                 << " m) larger." << exit(FatalIOError);
         }
 
+        if (level_ == levelType::layer && perMetre(i) <= 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << "hydrostatic layer in " << dict.name() << " is for a base that"
+                << " the layer lies on, and gravity does not press what is at"
+                << " probe " << i << ", " << probes_[i] << ", against patch "
+                << patchName_ << "." << nl
+                << "    Mend constant/g or the patch, or give hydrostatic normal."
+                << exit(FatalIOError);
+        }
+
         const vector up
         (
             level_ == levelType::vertical ? -gravity() : -discs_[i].normal()

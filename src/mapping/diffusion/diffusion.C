@@ -73,6 +73,7 @@ Foam::smoothingModels::diffusion::diffusion
     width_(dict.lookupOrDefault<scalar>("width", 3)),
     givenDiameter_(dict.lookupOrDefault<scalar>("diameter", 0)),
     diameter_(0),
+    firstDiameter_(0),
     warnedOfJump_(false),
     conductance_(mesh.nFaces(), Zero),
     longestStep_(GREAT),
@@ -129,19 +130,24 @@ Foam::smoothingModels::diffusion::diffusion
 
 void Foam::smoothingModels::diffusion::warnOfJump(const scalar next)
 {
-    const bool jumps =
-        diameter_ > 0 && next > 0 && mag(next - diameter_) > 0.01*diameter_;
+    if (firstDiameter_ <= 0)
+    {
+        firstDiameter_ = next;
+    }
 
-    if (jumps && !warnedOfJump_)
+    const bool differs = mag(next - firstDiameter_) > 0.01*firstDiameter_;
+
+    if (width_ > 0 && next > 0 && differs && !warnedOfJump_)
     {
         warnedOfJump_ = true;
         WarningInFunction
-            << "The mean diameter of the grains went from " << diameter_ << " to "
-            << next << " m within one exchange (said once), and with it the width"
-            << " of the smoothing: the void fraction changes at once also where"
+            << "The mean diameter of the grains went from " << firstDiameter_
+            << " to " << next << " m (said once), and with it the width"
+            << " of the smoothing: the void fraction changes also where"
             << " no grain moves, and drives water there." << nl
             << "    Give voidFraction/smoothing of constant/granularProperties a"
-            << " diameter of its own, as: diameter " << diameter_ << ";" << endl;
+            << " diameter of its own, as: diameter " << firstDiameter_ << ";"
+            << endl;
     }
 }
 

@@ -231,24 +231,49 @@ void Foam::pointWalls::putBackBehind(point& p, const label cell) const
 {
     const point node(grid_.position(cell));
 
-    for (label i = barriersFrom_[cell]; i < barriersFrom_[cell + 1]; ++i)
+    // In a fold of less than a right angle the way out of one face leads behind
+    // the other, by less each time
+    const label most = 100;
+    bool moved = true;
+
+    for (label times = 0; moved && times < most; ++times)
     {
-        const barrier& wall = barriers_[i];
-        const scalar behind = max(depth(wall, p, node), scalar(0));
-        scalar most = GREAT;
+        moved = false;
 
-        for (const plane& side : wall.beyond)
+        for (label i = barriersFrom_[cell]; i < barriersFrom_[cell + 1]; ++i)
         {
-            most = min(most, depth(side, p, node));
-        }
-
-        // At an edge that stands out, by the shorter way
-        if (behind <= most)
-        {
-            for (label k = 0; k < 3 && k < grid_.nDims(); ++k)
-            {
-                p[grid_.axes()[k]] += behind*wall.normal[k + 1];
-            }
+            moved = putBackBehind(barriers_[i], node, p) || moved;
         }
     }
+}
+
+
+bool Foam::pointWalls::putBackBehind
+(
+    const barrier& wall,
+    const point& node,
+    point& p
+) const
+{
+    const scalar behind = depth(wall, p, node);
+    scalar most = GREAT;
+
+    for (const plane& side : wall.beyond)
+    {
+        most = min(most, depth(side, p, node));
+    }
+
+    // At an edge that stands out, by the shorter way
+    if (behind <= 0 || behind > most)
+    {
+        return false;
+    }
+
+    for (label k = 0; k < 3 && k < grid_.nDims(); ++k)
+    {
+        p[grid_.axes()[k]] += behind*wall.normal[k + 1];
+    }
+
+    // Not for a rounding
+    return behind > little*grid_.h();
 }

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The DEM step beside the Rayleigh time of the grains.
+
+#include "liggghtsChecks.H"
+
+#include "liggghtsInstance.H"
+#include "mathematicalConstants.H"
+
+#include <liggghts/atom.h>
+#include <liggghts/fix.h>
+#include <liggghts/fix_template_sphere.h>
+#include <liggghts/lammps.h>
+#include <liggghts/modify.h>
+#include <liggghts/update.h>
+
+namespace
+{
+    using namespace Foam;
+
+    //- Shortest Rayleigh time of the grains that are there and of those that
+    //  the script may insert [s]; GREAT for none
+    scalar shortestRayleighTime
+    (
+        liggghtsInstance& liggghts,
+        LAMMPS_NS::Fix& young,
+        LAMMPS_NS::Fix& poisson
+    )
+    {
+        const LAMMPS_NS::Atom& atom = *liggghts->atom;
+        const LAMMPS_NS::Modify& modify = *liggghts->modify;
+        scalar shortest = GREAT;
+
+        const auto look = [&](scalar radius, scalar density, label type)
+        {
+            shortest = min
+            (
+                shortest,
+                liggghtsChecks::rayleighTime
+                (
+                    radius,
+                    density,
+                    young.compute_vector(type - 1),
+                    poisson.compute_vector(type - 1)
+                )
+            );
+        };
+
+        for (label i = 0; i < atom.nlocal; ++i)
+        {
+            look(atom.radius[i], atom.density[i], atom.type[i]);
+        }
+
+        for (label i = 0; i < modify.nfix; ++i)
+        {
+            auto* sizes =
+                dynamic_cast<LAMMPS_NS::FixTemplateSphere*>(modify.fix[i]);
+
+            if (sizes)
+            {
+                look
+                (
+                    sizes->min_rad(),
+                    sizes->massexpect()/sizes->volexpect(),
+                    sizes->mintype()
+                );
+            }
+        }
+
+        return returnReduce(shortest, minOp<scalar>());
+    }
+}
+
+
+Foam::scalar Foam::liggghtsChecks::rayleighTime
+(
+    const scalar radius,
+    const scalar density,
+    const scalar youngsModulus,
+    const scalar poissonsRatio
+)
+{
+    const scalar shearModulus = youngsModulus/(2*(1 + poissonsRatio));
+
+    return
+        constant::mathematical::pi*radius*sqrt(density/shearModulus)
+       /(0.1631*poissonsRatio + 0.8766);
+}
+
+
+void Foam::liggghtsChecks::timeStep
+(
+    liggghtsInstance& liggghts,
+    const fileName& script
+)
+{
+    const LAMMPS_NS::Update& update = *liggghts->update;
+
+    if (!update.timestep_set)
+    {
+        FatalErrorInFunction
+            << "No DEM step in " << script << nl
+            << "    Give one with the command 'timestep', below 20 % of the"
+            << " Rayleigh time." << exit(FatalError);
+    }
+
+    LAMMPS_NS::Modify& modify = *liggghts->modify;
+    const int nTypes = liggghts->atom->ntypes;
+
+    LAMMPS_NS::Fix* young = modify.find_fix_property
+    (
+        "youngsModulus", "property/global", "peratomtype", nTypes, 0,
+        "interDEMFoam", false
+    );
+    LAMMPS_NS::Fix* poisson = modify.find_fix_property
+    (
+        "poissonsRatio", "property/global", "peratomtype", nTypes, 0,
+        "interDEMFoam", false
+    );
+
+    if (!young || !poisson)
+    {
+        Info<< "    DEM step " << update.dt << " s, not compared with the"
+            << " Rayleigh time: " << script << " gives no Young's modulus"
+            << " and Poisson's ratio" << endl;
+        return;
+    }
+
+    const scalar shortest = shortestRayleighTime(liggghts, *young, *poisson);
+
+    const scalar fraction = update.dt/shortest;
+
+    if (fraction > 1)
+    {
+        FatalErrorInFunction
+            << "The DEM step of " << update.dt << " s in " << script << " is "
+            << fraction << " times the Rayleigh time of " << shortest
+            << " s: contacts would be stepped over." << nl
+            << "    Set timestep to at most " << 0.2*shortest
+            << " s, or lower Young's modulus." << exit(FatalError);
+    }
+
+    Info<< "    DEM step " << update.dt << " s = " << 100*fraction
+        << " % of the Rayleigh time" << endl;
+
+    // With a third a bed on a slope eroded up to five times as deep as with a
+    // fifth and with a tenth, which agree (validation/erosionStudy)
+    if (fraction > 0.25)
+    {
+        WarningInFunction
+            << "The DEM step is " << 100*fraction << " % of the Rayleigh time:"
+            << " beds may creep, and erode several times too deep." << nl
+            << "    Set timestep to at most " << 0.2*shortest << " s, 20 %"
+            << endl;
+    }
+}
