@@ -78,20 +78,18 @@ bool Foam::pointWalls::facesAll
     const facet& f,
     const UList<barrier>& walls,
     const label n,
-    const label node
+    const label node,
+    const point& place
 ) const
 {
-    const point p(grid_.position(node));
-    const plane face(planeOf(f, p));
+    if (((place - f.centre) & f.normal) < -little*grid_.h())
+    {
+        return false;
+    }
 
     for (label i = 0; i < n; ++i)
     {
-        const plane& wall = walls[i];
-        const scalar foot =
-            face.distance
-          - wall.distance*(face.normal*wall.normal).sum();
-
-        if (depth(wall, f.centre, p) >= 0 || foot < -little*grid_.h())
+        if (depth(walls[i], f.centre, grid_.position(node)) >= 0)
         {
             return false;
         }
@@ -166,7 +164,7 @@ void Foam::pointWalls::addEdges
 }
 
 
-void Foam::pointWalls::findBarriers()
+void Foam::pointWalls::findBarriers(const pointField& place)
 {
     const List<DynamicList<label>> around(facetsAround());
     List<DynamicList<barrier>> ofNodes(grid_.nNodes());
@@ -194,7 +192,7 @@ void Foam::pointWalls::findBarriers()
             (
                 !isHeld_[node]
              || edges.size()
-             || facesAll(facets_[i], ofNodes[node], nHeld, node)
+             || facesAll(facets_[i], ofNodes[node], nHeld, node, place[node])
             )
             {
                 addBarrier(ofNodes[node], node, facets_[i], edges);

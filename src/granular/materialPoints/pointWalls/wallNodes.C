@@ -168,7 +168,7 @@ void Foam::pointWalls::findNodes()
     }
 
     findMirrors();
-    findBarriers();
+    findBarriers(place);
     facets_.clear();
     resetImpulse();
 }
