@@ -339,6 +339,25 @@ TEST(misfitChannel, whatIsNoFiniteNumberIsRefusedWithItsLine)
 }
 
 
+TEST(misfitChannel, whatStandsForNotRecordedIsRefusedWithItsLine)
+{
+    const std::string text("t_s,p_Pa\n0,1\n1,-9999\n2,-9999\n3,5\n4,-77\n");
+    for (const char* other : {"", "scale 2;"})
+    {
+        const std::string said
+        (
+            refusalOf(text, std::string("file \"S1.csv\";") + other)
+        );
+        expectSays(said, "Line 3 of");
+        expectSays(said, "holds -9999 in the column \"p_Pa\"");
+        expectSays(said, "are 2 such lines");
+        expectSays(said, "missing ();");
+    }
+    expectSays(refusalOf(text, "file \"S1.csv\"; missing (-77);"), "Line 6 of");
+    EXPECT_EQ(refusalOf(text, "file \"S1.csv\"; missing ();"), "nothing");
+}
+
+
 TEST(misfitChannel, commasInNumbersAndOtherCodingsAreTold)
 {
     const std::string points("Write points, not commas");

@@ -86,6 +86,50 @@ TEST(misfitScoring, aLateRecorderIsTakenForThatAndNotForItsChannels)
 }
 
 
+TEST(misfitScoring, whatAClockMovesBeyondTheEndsDoesNotCount)
+{
+    // P1 rises to its end; it is shown 0.6 s early, so that its last 6 samples were
+    // recorded after what was computed
+    world w(40);
+    const label n = w.bounds.mean.size();
+    const segment& s = w.data.segments[0];
+    const auto at = [&](const scalar early)
+    {
+        vec f = vec::Zero(w.data.size());
+        s.of(f) = 1000*(s.x.array() + early).square();
+        return f;
+    };
+    mat x = mat::Zero(n, 15);
+    mat y(w.data.size(), 15);
+    for (label r = 0; r < 15; ++r)
+    {
+        x(r % n, r) = r < n ? 0.1 : -0.1;
+        y.col(r) = at(0) + 500*x.col(r).sum()*vec::Ones(w.data.size());
+    }
+    const statistics::responseSurface surface(x, y, w.bounds.mean, vec::Constant(n, 0.1));
+    w.data.y = at(0.6);
+    const hypothesis late
+    {
+        {}, mat(), possibleFaults(w.data, {faultKind::clock})[0], false
+    };
+    const covariance noise(w.data, 0);
+    const scored found
+    (
+        scoring(w.data, surface, w.bounds, noise).withBaseCovariance
+        (
+            late, whitener(noise.at(w.data.y))
+        )
+    );
+    const hypothesisModel model(w.data, surface, w.bounds, late);
+    const vec unknowns = model.ofFault(found.best.x);
+    EXPECT_NEAR(unknowns[0], -0.6, 0.02);
+    EXPECT_LT(found.best.misfit, 5);
+
+    // Each of these costs what a right explanation leaves on average
+    EXPECT_NEAR(found.best.objective - found.best.misfit, 6, 0.5);
+}
+
+
 TEST(misfitScoring, numbersAloneNameAMechanism)
 {
     // One parameter and two mechanisms, each with its own effect on six numbers

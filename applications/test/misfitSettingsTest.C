@@ -55,7 +55,7 @@ TEST(misfitSettings, thePresentKeywordsAreRead)
                 IStringStream
                 (
                     "clockUncertainty 0.01; replicateChanges (); replicates 12;"
-                    " commonRandomNumbers 2; trainingEnsemble 100;"
+                    " commonRandomNumbers 2; trainingEnsemble 100; chaotic yes;"
                     " decision { modelDiscrepancy 0.3; }"
                 )()
             )
@@ -65,7 +65,19 @@ TEST(misfitSettings, thePresentKeywordsAreRead)
     EXPECT_EQ(s.replicates, 12);
     EXPECT_EQ(s.commonRandomNumbers, 2);
     EXPECT_EQ(s.trainingEnsemble, 100);
+    EXPECT_TRUE(s.chaotic);
     EXPECT_EQ(s.modelDiscrepancy, 0.3);
+}
+
+
+TEST(misfitSettings, chaosNeedsReplicatesToBeKnown)
+{
+    expectSays(refusalOf("chaotic yes; replicates 12;"), "give replicateChanges");
+    expectSays
+    (
+        refusalOf("chaotic yes; replicateChanges (); replicates 2;"), "3 replicates or more"
+    );
+    EXPECT_EQ(refusalOf("chaotic yes; replicateChanges (); replicates 3;"), "nothing");
 }
 
 

@@ -40,7 +40,8 @@ vec evaluate
     at.misfit = misfit.squaredNorm();
     at.objective =
         at.misfit
-      + priorWeight(model).dot((at.x - model.mean()).cwiseAbs2());
+      + priorWeight(model).dot((at.x - model.mean()).cwiseAbs2())
+      + model.cost(at.x);
     return misfit;
 }
 
@@ -136,6 +137,7 @@ struct problem
             Eigen::Map<vec>(slopes.data(), slopes.size()) = units.cwiseProduct
             (
                 away - white(model.slopes(at.x)).transpose()*misfit
+              + model.costSlopes(at.x)/2
             );
         }
         return at.objective/2;

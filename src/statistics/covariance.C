@@ -253,26 +253,40 @@ void statistics::covariance::addRepeats
 }
 
 
+statistics::vec statistics::covariance::between(const mat& runs) const
+{
+    const mat deviations = runs.colwise() - vec(runs.rowwise().mean());
+    return variance(deviations)*runs.cols()/(runs.cols() - 1);
+}
+
+
 void statistics::covariance::addDifference
 (
     const std::string& source,
-    const vec& difference
+    const vec& difference,
+    const vec& chance
 )
 {
-    if (difference.squaredNorm() <= 0)
+    mat column(difference);
+    if (chance.size())
+    {
+        const vec size = variance(column).cwiseMax(tiny);
+        const vec share = 1 - (chance.cwiseQuotient(size)).array().min(1);
+        column.array() *= share.array();
+    }
+    if (column.squaredNorm() <= 0)
     {
         return;
     }
 
     // With other parameters the error has another shape of like size. Of first
     // order, it is twice what halving a cell changes
-    const mat column(difference);
     const vec scale = 2*variance(column).cwiseSqrt().cwiseMax(tiny);
     const mat z = scale.cwiseInverse().asDiagonal()*column;
     add
     (
         source,
-        mat(difference*difference.transpose())
+        mat(column*column.transpose())
       + scale.asDiagonal()*correlation(likelyMemory(z))*scale.asDiagonal()
     );
 }

@@ -120,10 +120,40 @@ statistics::vec statistics::hypothesisModel::ofFault(const vec& x) const
 }
 
 
+statistics::vec
+statistics::hypothesisModel::shown(const vec& f, const vec& ofFault) const
+{
+    const vec all = (*fault_)(data_, f, ofFault);
+    const vec uncounted = fault_->uncomputed(data_, ofFault);
+    return uncounted.isZero(0) ? all : all + uncounted.cwiseProduct(data_.y - all);
+}
+
+
+double statistics::hypothesisModel::cost(const vec& x) const
+{
+    return fault_ ? fault_->uncomputed(data_, ofFault(x)).sum() : 0;
+}
+
+
+statistics::vec statistics::hypothesisModel::costSlopes(const vec& x) const
+{
+    vec slopes = vec::Zero(x.size());
+    const int unknowns = fault_ ? fault_->size() : 0;
+    for (int i = x.size() - unknowns; i < x.size(); ++i)
+    {
+        vec beside = x;
+        const double step = 1e-5*(upper()[i] - lower()[i]);
+        beside[i] += step;
+        slopes[i] = (cost(beside) - cost(x))/step;
+    }
+    return slopes;
+}
+
+
 statistics::vec statistics::hypothesisModel::operator()(const vec& x) const
 {
     const vec f = surface_(expand(x));
-    return fault_ ? (*fault_)(data_, f, ofFault(x)) : f;
+    return fault_ ? shown(f, ofFault(x)) : f;
 }
 
 
@@ -147,11 +177,11 @@ statistics::mat statistics::hypothesisModel::slopes(const vec& x) const
     constexpr double part = 1e-4;
     const vec f = surface_(all);
     const vec u = ofFault(x);
-    const vec shown = (*fault_)(data_, f, u);
+    const vec here = shown(f, u);
     for (int i = 0; i < n; ++i)
     {
         s.col(i) =
-            ((*fault_)(data_, f + part*vec(s.col(i)), u) - shown)/part;
+            (shown(f + part*vec(s.col(i)), u) - here)/part;
     }
     const vec range = fault_->upper - fault_->lower;
     for (int i = 0; i < u.size(); ++i)
@@ -160,7 +190,7 @@ statistics::mat statistics::hypothesisModel::slopes(const vec& x) const
         const double step =
             (u[i] + 1e-5*range[i] > fault_->upper[i] ? -1e-5 : 1e-5)*range[i];
         beside[i] += step;
-        s.col(n + i) = ((*fault_)(data_, f, beside) - shown)/step;
+        s.col(n + i) = (shown(f, beside) - here)/step;
     }
     return s;
 }

@@ -34,9 +34,11 @@ statistics::mat statistics::responseSurface::design(const mat& z) const
 void statistics::responseSurface::choose
 (
     const mat& z,
-    const std::vector<bool>& mayMix
+    const std::vector<bool>& mayMix,
+    const bool linear
 )
 {
+    terms_.clear();
     const int n = z.rows();
     std::vector<std::pair<int, int>> possible;
     possible.push_back({-1, -1});
@@ -44,12 +46,12 @@ void statistics::responseSurface::choose
     {
         possible.push_back({i, -1});
     }
-    for (int i = 0; i < n; ++i)
+    for (int i = 0; i < n && !linear; ++i)
     {
         possible.push_back({i, i});
     }
     const int pure = possible.size();
-    for (int i = 0; i < n; ++i)
+    for (int i = 0; i < n && !linear; ++i)
     {
         for (int j = i + 1; j < n; ++j)
         {
@@ -88,6 +90,18 @@ void statistics::responseSurface::choose
 }
 
 
+statistics::mat statistics::responseSurface::fit(const mat& design, const mat& samples)
+{
+    const Eigen::HouseholderQR<mat> qr(design);
+    coefficients_ = qr.solve(samples.transpose());
+    const mat q = qr.householderQ()*mat::Identity(design.rows(), design.cols());
+    leverage_ = q.rowwise().squaredNorm();
+    const vec rest = (1 - leverage_.array()).max(small);
+    const mat errors = samples - coefficients_.transpose()*design.transpose();
+    return errors.array().rowwise()/rest.transpose().array();
+}
+
+
 // * * * * * * * * * * * * * * * * Constructor * * * * * * * * * * * * * * * //
 
 statistics::responseSurface::responseSurface
@@ -96,7 +110,8 @@ statistics::responseSurface::responseSurface
     const mat& samples,
     const vec& centre,
     const vec& width,
-    const std::vector<bool>& mayMix
+    const std::vector<bool>& mayMix,
+    const vec& chance
 )
 :
     centre_(centre),
@@ -106,25 +121,31 @@ statistics::responseSurface::responseSurface
 {
     const mat z =
         width.cwiseInverse().asDiagonal()*(variables.colwise() - centre);
-    choose(z, mayMix);
-
-    const mat d = design(z);
-    const Eigen::HouseholderQR<mat> qr(d);
-    coefficients_ = qr.solve(samples.transpose());
-    const mat q = qr.householderQ()*mat::Identity(d.rows(), d.cols());
-    leverage_ = q.rowwise().squaredNorm();
-
-    if (d.rows() > d.cols())
+    choose(z, mayMix, false);
+    mat errors = fit(design(z), samples);
+    if (chance.size())
     {
-        const mat errors = samples - coefficients_.transpose()*d.transpose();
-
-        leftOut_.resize(samples.rows(), 0);
-        for (int run = 0; run < d.rows(); ++run)
+        const vec weight = chance.cwiseMax(tiny).cwiseInverse();
+        const auto square = [&]()
         {
-            if (leverage_[run] < fixesTerm)
-            {
-                appendColumn(leftOut_, errors.col(run)/(1 - leverage_[run]));
-            }
+            return weight.dot(vec(errors.rowwise().squaredNorm()));
+        };
+        const double all = square();
+        choose(z, mayMix, true);
+        errors = fit(design(z), samples);
+        if (all < square())
+        {
+            choose(z, mayMix, false);
+            errors = fit(design(z), samples);
+        }
+    }
+
+    leftOut_.resize(samples.rows(), 0);
+    for (int run = 0; z.cols() > nTerms() && run < z.cols(); ++run)
+    {
+        if (leverage_[run] < fixesTerm)
+        {
+            appendColumn(leftOut_, errors.col(run));
         }
     }
 }

@@ -8,7 +8,8 @@ statistics::sampledModel::sampledModel
     const stacked& data,
     const variableBounds& bounds,
     const double clockUncertainty,
-    const double discrepancy
+    const double discrepancy,
+    const bool chaotic
 )
 :
     data_(data),
@@ -16,6 +17,7 @@ statistics::sampledModel::sampledModel
     averaged_(1),
     clockUncertainty_(clockUncertainty),
     discrepancy_(discrepancy),
+    chaotic_(chaotic),
     covariance_(data, clockUncertainty)
 {
     setVariables(bounds);
@@ -51,14 +53,44 @@ void statistics::sampledModel::build()
     {
         return;
     }
-    surface_.emplace(variables_, samples_, bounds_.mean, bounds_.width);
+    const bool chaotic = chaotic_ && repeats_.cols() > 1;
+    const vec chance = chaotic ? covariance_.between(repeats_) : vec();
+    surface_.emplace
+    (
+        variables_, samples_, bounds_.mean, bounds_.width, std::vector<bool>(), chance
+    );
     covariance_ = covariance(data_, clockUncertainty_);
-    covariance_.addRepeats(repeats_, averaged_);
-    covariance_.addSpread("between the runs", surface_->leftOut(), 1);
+    if (chaotic)
+    {
+        covariance_.addSpread("chaos", chaos(), 1 + surface_->leverage().mean());
+    }
+    else
+    {
+        covariance_.addRepeats(repeats_, averaged_);
+        covariance_.addSpread("between the runs", surface_->leftOut(), 1);
+    }
     for (const std::pair<std::string, vec>& d : differences_)
     {
-        covariance_.addDifference(d.first, d.second);
+        covariance_.addDifference(d.first, d.second, 2*chance);
     }
+}
+
+
+statistics::mat statistics::sampledModel::chaos() const
+{
+    const int n = repeats_.cols();
+    mat all = repeats_.colwise() - vec(repeats_.rowwise().mean());
+    all *= std::sqrt(n/(n - 1.0));
+    for (int run = 0, k = 0; run < samples_.cols() && surface_->leftOut().cols(); ++run)
+    {
+        const double leverage = surface_->leverage()[run];
+        if (leverage < responseSurface::fixesTerm)
+        {
+            const double share = std::sqrt(1 - leverage);
+            appendColumn(all, share*surface_->leftOut().col(k++));
+        }
+    }
+    return all;
 }
 
 
@@ -68,6 +100,7 @@ statistics::sampledModel::without(const int segment) const
     std::vector<int> keep;
     sampledModel rest(*this);
     rest.data_ = data_.without(segment, keep);
+    rest.covariance_ = covariance(rest.data_, clockUncertainty_);
     rest.samples_ = samples_(keep, Eigen::all);
     rest.repeats_ = repeats_(keep, Eigen::all);
     for (std::pair<std::string, vec>& d : rest.differences_)

@@ -105,6 +105,29 @@ statistics::vec statistics::sensorFault::operator()
 }
 
 
+statistics::vec statistics::sensorFault::uncomputed
+(
+    const stacked& data,
+    const vec& unknowns
+) const
+{
+    vec share = vec::Zero(data.size());
+    if (kind == faultKind::clock)
+    {
+        for (const int i : channelsOf(*this, data))
+        {
+            const segment& s = data.segments[i];
+            const vec from = s.x.array() - unknowns[0];
+            const vec before = s.x[0] - from.array();
+            const vec after = from.array() - s.x[s.size - 1];
+            const double spacing = s.duration()/std::max(s.size - 1, 1);
+            s.of(share) = (before.cwiseMax(after)/spacing).cwiseMax(0).cwiseMin(1);
+        }
+    }
+    return share;
+}
+
+
 statistics::vec statistics::sensorFault::elsewhere
 (
     const stacked& other,

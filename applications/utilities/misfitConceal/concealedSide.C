@@ -111,7 +111,10 @@ Foam::misfit::concealedSide::concealedSide
     }
     emulator_.reset
     (
-        new emulatedPredictor(set.parameters, set.candidates, states_, all)
+        new emulatedPredictor
+        (
+            set.parameters, set.candidates, states_, all, set.chaotic
+        )
     );
 }
 

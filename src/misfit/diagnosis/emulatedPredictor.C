@@ -42,6 +42,22 @@ vec onGrids(const List<series>& grids, const prediction& run)
     return Eigen::Map<const vec>(all.cdata(), all.size());
 }
 
+//- Mean variance between runs, a column for each, of the channel that each row is of
+vec spread(const List<series>& grids, const mat& runs)
+{
+    const mat deviations = runs.colwise() - vec(runs.rowwise().mean());
+    vec variance(runs.rows());
+    label first = 0;
+    for (const series& s : grids)
+    {
+        const label n = s.x.size();
+        const scalar sum = deviations.middleRows(first, n).squaredNorm();
+        variance.segment(first, n).setConstant(sum/max(n*runs.cols(), label(1)));
+        first += n;
+    }
+    return variance;
+}
+
 } // End anonymous namespace
 
 
@@ -110,7 +126,11 @@ Foam::misfit::emulatedPredictor::build(const word& experiment) const
     {
         width[parameters_.size() + i] = candidates_[i].strong;
     }
-    e.surface.reset(new statistics::responseSurface(x, y, centre, width));
+    const vec chance = chaotic_ ? spread(e.grids, y) : vec();
+    e.surface.reset
+    (
+        new statistics::responseSurface(x, y, centre, width, std::vector<bool>(), chance)
+    );
     return e;
 }
 
@@ -153,13 +173,15 @@ Foam::misfit::emulatedPredictor::emulatedPredictor
     const List<parameter>& parameters,
     const List<candidate>& candidates,
     const List<runState>& states,
-    const List<prediction>& runs
+    const List<prediction>& runs,
+    const bool chaotic
 )
 :
     parameters_(parameters),
     candidates_(candidates),
     states_(states),
-    runs_(runs)
+    runs_(runs),
+    chaotic_(chaotic)
 {
     forAll(states, i)
     {

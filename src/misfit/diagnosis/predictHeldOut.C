@@ -64,6 +64,11 @@ bool addNumerics(study& s, const observed& other, covariance& known)
     const List<runState> states(uncertaintyRuns(s, other.experiment));
     const List<samples> given(s.run(states));
     mat repeats(other.validation.size(), 0);
+    const auto chance = [&]()
+    {
+        const bool chaotic = s.set.chaotic && repeats.cols() > 1;
+        return chaotic ? vec(2*known.between(repeats)) : vec();
+    };
     bool confirms = true;
     forAll(given, i)
     {
@@ -80,7 +85,8 @@ bool addNumerics(study& s, const observed& other, covariance& known)
         {
             known.addDifference
             (
-                states[i].resolution, given[i].validation - given.first().validation
+                states[i].resolution, given[i].validation - given.first().validation,
+                chance()
             );
         }
     }

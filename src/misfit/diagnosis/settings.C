@@ -63,6 +63,13 @@ void checkSizes(const dictionary& dict, const settings& s)
             << "replicates and commonRandomNumbers must be 1 or more, draws 100 or"
             << " more" << exit(FatalIOError);
     }
+    if (s.chaotic && s.replicates < 3)
+    {
+        FatalIOErrorInFunction(dict)
+            << "chaotic needs replicates, which show how much chance changes: give"
+            << " replicateChanges, and 3 replicates or more, better 12"
+            << exit(FatalIOError);
+    }
 }
 
 //- Warns where the chance between runs stays unknown, or a number of them does nothing
@@ -99,7 +106,7 @@ Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
             "FoamFile", "commands", "files", "ranks", "jobs", "timeLimit",
             "experiments", "channels", "heldOut", "samples", "parameters",
             "candidates", "replicateChanges", "replicates", "commonRandomNumbers",
-            "resolution", "trainingEnsemble", "clockUncertainty", "faults",
+            "resolution", "trainingEnsemble", "chaotic", "clockUncertainty", "faults",
             "decision", "draws", "seed", "shared", "correction"
         }
     );
@@ -120,6 +127,7 @@ Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
         min(dict.getOrDefault<label>("commonRandomNumbers", 3), s.replicates);
     s.resolutions = keywords::sub(dict, "resolution").sortedToc();
     dict.readIfPresent("trainingEnsemble", s.trainingEnsemble);
+    dict.readIfPresent("chaotic", s.chaotic);
     dict.readIfPresent("clockUncertainty", s.clockUncertainty);
     s.draws = dict.getOrDefault<label>("draws", s.draws);
     s.seed = dict.getOrDefault<label>("seed", s.seed);

@@ -68,8 +68,14 @@ Foam::misfit::study::study(sampler& s, const settings& set)
     names(namesOfAll(set.candidates)),
     bounds(withCandidates(set)),
     experiments(s.data()),
-    calibration(data().calibration, bounds, set.clockUncertainty, set.modelDiscrepancy),
-    validation(data().validation, bounds, set.clockUncertainty, set.modelDiscrepancy)
+    calibration
+    (
+        data().calibration, bounds, set.clockUncertainty, set.modelDiscrepancy, set.chaotic
+    ),
+    validation
+    (
+        data().validation, bounds, set.clockUncertainty, set.modelDiscrepancy, set.chaotic
+    )
 {}
 
 

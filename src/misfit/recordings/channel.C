@@ -191,7 +191,7 @@ Foam::misfit::channel::channel
             "experiment", "quantity", "recorder", "at", "place", "uncertainty", "memory",
             "gainUncertainty", "zeroUncertainty", "value", "file", "column", "xColumn",
             "unit", "scale", "offset", "xUnit", "xScale", "xOffset",
-            "duplicates", "interval", "simulated"
+            "duplicates", "missing", "interval", "simulated"
         }
     );
     const point where(dict.getOrDefault<point>("place", Zero));

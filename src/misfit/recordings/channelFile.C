@@ -8,6 +8,7 @@
 #include "OStringStream.H"
 #include "units.H"
 
+#include <algorithm>
 #include <regex>
 #include <sstream>
 
@@ -93,6 +94,44 @@ const unit& checkedUnit
 }
 
 
+//- Fatal where a column holds a number that stands for "not recorded"
+void checkMissing(const dictionary& dict, const numberTable& table, const label column)
+{
+    // What loggers, well logs (LAS), netCDF and satellites write. Others: missing
+    const scalarList fills
+    (
+        dict.getOrDefault<scalarList>
+        (
+            "missing", {-9999, -99999, -999999, -999.25, 1e20, 9.96921e36}
+        )
+    );
+    const scalarList values(table.column(column));
+    label n = 0;
+    label first = -1;
+    forAll(values, i)
+    {
+        const auto isFill = [&](const scalar fill)
+        {
+            return mag(values[i] - fill) <= 1e-6*mag(fill);
+        };
+        if (std::any_of(fills.begin(), fills.end(), isFill))
+        {
+            first = n++ ? first : i;
+        }
+    }
+    if (n)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Line " << table.lines[first] << " of " << table.file << " holds "
+            << values[first] << " in the column " << table.names[column]
+            << ", which stands for what was not recorded; there "
+            << (n > 1 ? "are " : "is ") << n << " such line" << (n > 1 ? "s" : "")
+            << ". Remove what was not recorded. If it was: missing ();"
+            << exit(FatalIOError);
+    }
+}
+
+
 //- A column in SI units; fatal without the unit, or with another one
 scalarList readColumn
 (
@@ -131,6 +170,7 @@ scalarList readColumn
     const scalar offset =
         dict.getOrDefault<scalar>(prefix.empty() ? "offset" : prefix + "Offset", 0);
 
+    checkMissing(dict, table, column);
     scalarList values(table.column(column));
     for (scalar& v : values)
     {
