@@ -191,6 +191,26 @@ TEST_F(tank, outflowIsCountedInTheWaterBalance)
 }
 
 
+TEST_F(tank, waterThatComesToGrainsThatWereAloneIsThatOfTheStart)
+{
+    const volScalarField water(alpha_);
+    alpha_ = dimensionedScalar(dimless, Zero);
+    {
+        functionObjects::massBalance alone("balance", box_.time(), dict(""));
+        ++box_.time();
+        alone.execute();
+        alone.write();
+    }
+
+    alpha_ = water;
+    functionObjects::massBalance balance("balance", box_.time(), dict(""));
+    ++box_.time();
+    balance.execute();
+    balance.write();
+    EXPECT_NEAR(lastLine("balance", "massBalance")[3], 0, 1e-14);
+}
+
+
 TEST_F(tank, aStepThatTheWaterBalanceMissesIsAnError)
 {
     functionObjects::massBalance balance("balance", box_.time(), dict(""));

@@ -98,6 +98,13 @@ bool Foam::functionObjects::massBalance::goOn()
 }
 
 
+void Foam::functionObjects::massBalance::beginWater()
+{
+    initialVolume_ = gSum(waterVolume()());
+    setProperty("initialVolume", initialVolume_);
+}
+
+
 void Foam::functionObjects::massBalance::begin()
 {
     begun_ = true;
@@ -120,13 +127,18 @@ void Foam::functionObjects::massBalance::begin()
                 << " beyond a side when this state was written and are not in"
                 << " it; they count as left." << endl;
         }
+
+        // Grains that were alone until now
+        if (initialVolume_ == 0 && outflow_ == 0)
+        {
+            beginWater();
+        }
         return;
     }
 
-    initialVolume_ = gSum(waterVolume()());
+    beginWater();
     initialGrains_ = label(count[0]);
 
-    setProperty("initialVolume", initialVolume_);
     setProperty("initialGrains", initialGrains_);
 }
 
