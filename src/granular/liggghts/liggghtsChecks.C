@@ -19,6 +19,46 @@
 #include <liggghts/update.h>
 
 
+namespace
+{
+    //- A fix that a script may not have: what it does, why not, what to do
+    struct unwantedFix
+    {
+        const char* style;
+        const char* what;
+        const char* why;
+        const char* remedy;
+    };
+
+    const unwantedFix unwantedFixes[] =
+    {
+        {
+            "gravity",
+            " sets gravity",
+            ".",
+            "Grains and water take it from constant/g: take the fix out."
+        },
+        // LIGGGHTS goes through its fixes in their order, and gravity, walls and
+        // water come behind those of the script
+        {
+            "freeze",
+            " freezes grains",
+            ", which does not hold them: gravity and water act behind it.",
+            "Take the fix out, and the grains out of the group that fix nve/sphere"
+            " moves."
+        },
+        {
+            "dt/reset",
+            " changes the DEM step while the run goes on",
+            ": an exchange is a number of these steps, and grains and water would"
+            " part in time.",
+            "Take the fix out, and give one step for the whole run with the command"
+            " 'timestep'."
+        }
+    };
+}
+
+
 void Foam::liggghtsChecks::units
 (
     liggghtsInstance& liggghts,
@@ -144,33 +184,15 @@ void Foam::liggghtsChecks::noOwnFixes
 
     for (label i = 0; i < modify.nfix; ++i)
     {
-        if (!std::strcmp(modify.fix[i]->style, "gravity"))
+        for (const unwantedFix& unwanted : unwantedFixes)
         {
-            FatalErrorInFunction
-                << script << " sets gravity (fix " << modify.fix[i]->id << ")."
-                << nl << "    Grains and water take it from constant/g: take"
-                << " the fix out." << exit(FatalError);
-        }
-
-        // LIGGGHTS goes through its fixes in their order, and gravity, walls and
-        // water come behind those of the script
-        if (!std::strcmp(modify.fix[i]->style, "freeze"))
-        {
-            FatalErrorInFunction
-                << script << " freezes grains (fix " << modify.fix[i]->id << "),"
-                << " which does not hold them: gravity and water act behind it."
-                << nl << "    Take the fix out, and the grains out of the group"
-                << " that fix nve/sphere moves." << exit(FatalError);
-        }
-
-        if (!std::strcmp(modify.fix[i]->style, "dt/reset"))
-        {
-            FatalErrorInFunction
-                << script << " changes the DEM step while the run goes on (fix "
-                << modify.fix[i]->id << "): an exchange is a number of these"
-                << " steps, and grains and water would part in time." << nl
-                << "    Take the fix out, and give one step for the whole run with"
-                << " the command 'timestep'." << exit(FatalError);
+            if (!std::strcmp(modify.fix[i]->style, unwanted.style))
+            {
+                FatalErrorInFunction
+                    << script << unwanted.what << " (fix " << modify.fix[i]->id
+                    << ")" << unwanted.why << nl << "    " << unwanted.remedy
+                    << exit(FatalError);
+            }
         }
     }
 }

@@ -72,7 +72,6 @@ Foam::smoothingModels::diffusion::diffusion
     mesh_(mesh),
     width_(dict.lookupOrDefault<scalar>("width", 3)),
     givenDiameter_(dict.lookupOrDefault<scalar>("diameter", 0)),
-    diameter_(0),
     firstDiameter_(0),
     warnedOfJump_(false),
     conductance_(mesh.nFaces(), Zero),
@@ -154,12 +153,11 @@ void Foam::smoothingModels::diffusion::warnOfJump(const scalar next)
 
 void Foam::smoothingModels::diffusion::setDiameter(const scalar d)
 {
-    const scalar next = givenDiameter_ > 0 ? givenDiameter_ : d;
-    warnOfJump(next);
-    diameter_ = next;
+    const scalar diameter = givenDiameter_ > 0 ? givenDiameter_ : d;
+    warnOfJump(diameter);
 
     // A point becomes exp(-r^2/(4 t)) after the time t
-    const scalar duration = sqr(width_*diameter_)/4;
+    const scalar duration = sqr(width_*diameter)/4;
 
     nSteps_ = label(std::ceil(duration/longestStep_));
     step_ = nSteps_ ? duration/nSteps_ : 0;
