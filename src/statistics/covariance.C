@@ -248,15 +248,13 @@ void statistics::covariance::addRepeats
     {
         return;
     }
-    const mat deviations = runs.colwise() - vec(runs.rowwise().mean());
-    addSpread("replicates", deviations, (1 + 1.0/averaged)*n/(n - 1));
+    addSpread("replicates", deviations(runs), (1 + 1.0/averaged)*n/(n - 1));
 }
 
 
 statistics::vec statistics::covariance::between(const mat& runs) const
 {
-    const mat deviations = runs.colwise() - vec(runs.rowwise().mean());
-    return variance(deviations)*runs.cols()/(runs.cols() - 1);
+    return variance(deviations(runs))*runs.cols()/(runs.cols() - 1);
 }
 
 

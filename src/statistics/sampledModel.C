@@ -79,7 +79,7 @@ void statistics::sampledModel::build()
 statistics::mat statistics::sampledModel::chaos() const
 {
     const int n = repeats_.cols();
-    mat all = repeats_.colwise() - vec(repeats_.rowwise().mean());
+    mat all = deviations(repeats_);
     all *= std::sqrt(n/(n - 1.0));
     for (int run = 0, k = 0; run < samples_.cols() && surface_->leftOut().cols(); ++run)
     {

@@ -10,6 +10,12 @@ void statistics::appendColumn(mat& m, const vec& v)
 }
 
 
+statistics::mat statistics::deviations(const mat& runs)
+{
+    return runs.colwise() - vec(runs.rowwise().mean());
+}
+
+
 statistics::stacked
 statistics::stacked::without(const int omitted, std::vector<int>& keep) const
 {

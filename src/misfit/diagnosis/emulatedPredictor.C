@@ -45,13 +45,13 @@ vec onGrids(const List<series>& grids, const prediction& run)
 //- Mean variance between runs, a column for each, of the channel that each row is of
 vec spread(const List<series>& grids, const mat& runs)
 {
-    const mat deviations = runs.colwise() - vec(runs.rowwise().mean());
+    const mat apart = statistics::deviations(runs);
     vec variance(runs.rows());
     label first = 0;
     for (const series& s : grids)
     {
         const label n = s.x.size();
-        const scalar sum = deviations.middleRows(first, n).squaredNorm();
+        const scalar sum = apart.middleRows(first, n).squaredNorm();
         variance.segment(first, n).setConstant(sum/max(n*runs.cols(), label(1)));
         first += n;
     }
