@@ -10,6 +10,48 @@ using namespace Foam;
 namespace
 {
 
+//- Where the walls put a point that is at a place and came from another [m]
+vector2D putBack
+(
+    const pointGrid& grid,
+    const pointWalls& walls,
+    const vector2D& at,
+    const vector2D& from
+)
+{
+    // Its cell is that of where it came from
+    const point was(from.x(), 0.05, from.y());
+    FixedList<label, 3> cell(0);
+    for (label k = 0; k < 2; ++k)
+    {
+        cell[k] = pointGrid::cell(grid.coordinate(was, k));
+    }
+
+    point p(at.x(), 0.05, at.y());
+    walls.putBack(p, grid.node(cell));
+    return vector2D(p.x(), p.z());
+}
+
+
+//- How far a place is in front of the nearer of two faces that meet in a fold and
+//  have these directions from it [m]; negative behind one
+scalar beforeBoth
+(
+    const vector2D& place,
+    const vector2D& fold,
+    const vector2D& left,
+    const vector2D& right
+)
+{
+    const vector2D way(place - fold);
+    return min
+    (
+        left.y()*way.x() - left.x()*way.y(),
+        right.x()*way.y() - right.y()*way.x()
+    );
+}
+
+
 //- Largest distance of a point from where the walls put it back, of points at
 //  a distance [m], negative behind them, on the line from a to b
 scalar moved
@@ -28,29 +70,18 @@ scalar moved
     for (scalar s = 0.001; s < mag(b - a); s += 0.0013)
     {
         const vector2D at(a + s*along + distance*normal);
-        point p(at.x(), 0.05, at.y());
-        const point before(p);
 
-        // The cell is that of where the point comes from, half a cell away
+        // From half a cell away, too
         for (const scalar from : {0.0, 0.024})
         {
-            const vector2D was(at + from*normal);
-            FixedList<label, 3> cell(0);
-            for (label k = 0; k < 2; ++k)
-            {
-                const point q(was.x(), 0.05, was.y());
-                cell[k] = pointGrid::cell(grid.coordinate(q, k));
-            }
-            walls.putBack(p, grid.node(cell));
-            most = max(most, mag(p - before));
+            const vector2D now(putBack(grid, walls, at, at + from*normal));
+            most = max(most, mag(now - at));
             if (distance < 0)
             {
                 // In front of the wall again, by no more than a rounding
-                const vector2D now(vector2D(p.x(), p.z()) - a);
-                EXPECT_GE(now & normal, 0) << at.x() << ' ' << at.y();
-                EXPECT_LT(now & normal, 1e-6);
+                EXPECT_GE((now - a) & normal, 0) << at.x() << ' ' << at.y();
+                EXPECT_LT((now - a) & normal, 1e-6);
             }
-            p = before;
         }
     }
 
@@ -150,22 +181,8 @@ TEST(pointWalls, aPointInAFoldOfAHollowWallIsPutBackBeforeBothFaces)
                         fold + mag(s)*(s < 0 ? left : right)
                       + 0.002*out/mag(out)
                     );
-                    point p(at.x(), 0.05, at.y());
-                    FixedList<label, 3> cell(0);
-                    for (label k = 0; k < 2; ++k)
-                    {
-                        cell[k] = pointGrid::cell(grid.coordinate(p, k));
-                    }
-                    walls.putBack(p, grid.node(cell));
-
-                    const vector2D now(vector2D(p.x(), p.z()) - fold);
-                    const scalar before =
-                        min
-                        (
-                            left.y()*now.x() - left.x()*now.y(),
-                            right.x()*now.y() - right.y()*now.x()
-                        );
-                    EXPECT_GE(before, 0)
+                    const vector2D now(putBack(grid, walls, at, at));
+                    EXPECT_GE(beforeBoth(now, fold, left, right), 0)
                         << turn << " degrees, shift " << shift << ", fold " << i
                         << ", " << s << " m from it";
                 }
@@ -193,20 +210,10 @@ TEST(pointWalls, aPointInASharpFoldIsPutBackBeforeBothFaces)
         for (scalar s = -0.01; s < 0.01; s += 0.0007)
         {
             const vector2D at(fold + vector2D(s, -0.001));
-            point p(at.x(), 0.05, at.y());
-            FixedList<label, 3> cell(0);
-            for (label k = 0; k < 2; ++k)
-            {
-                cell[k] = pointGrid::cell(grid.coordinate(p, k));
-            }
-            walls.putBack(p, grid.node(cell));
-
-            const vector2D now(vector2D(p.x(), p.z()) - fold);
-            EXPECT_GE(left.y()*now.x() - left.x()*now.y(), -1e-7)
+            const vector2D now(putBack(grid, walls, at, at));
+            EXPECT_GE(beforeBoth(now, fold, left, right), -1e-7)
                 << between << " degrees, " << s << " m beside it";
-            EXPECT_GE(right.x()*now.y() - right.y()*now.x(), -1e-7)
-                << between << " degrees, " << s << " m beside it";
-            EXPECT_LT(mag(now), 0.05);
+            EXPECT_LT(mag(now - fold), 0.05);
         }
     }
 }
