@@ -202,6 +202,32 @@ TEST(misfitChannel, samplesAreMeansOfTheReadingsInThem)
 }
 
 
+TEST(misfitChannel, ofRepeatedExperimentsTheMeanIsRecordedAtTheTimesOfTheFirst)
+{
+    files f;
+    f.write("S1.csv", "t_s,p_Pa\n0,0\n1,6\n2,12\n3,18\n");
+    f.write("again.csv", "t_s,p_Pa\n0,3\n2,3\n4,3\n");
+    f.write("third.csv", "t_s,p_Pa\n0,3\n3,3\n");
+    f.write("short.csv", "t_s,p_Pa\n0,3\n1,3\n2,3\n");
+    const auto read = [&](const std::string& repeats)
+    {
+        IStringStream is(pressure + "file \"S1.csv\"; repeats (" + repeats + ");");
+        return channel("S1", dictionary(is), purpose::calibration, f.folder(), 40);
+    };
+    const channel c(read("\"again.csv\" \"third.csv\""));
+    EXPECT_EQ(c.samples.repeats, 3);
+    EXPECT_EQ(c.samples.readings[1], 3);
+    ASSERT_EQ(c.recorded.y.size(), 4);
+    EXPECT_NEAR(c.recorded.y[0], 2, 1e-12);
+    EXPECT_NEAR(c.recorded.y[3], 8, 1e-12);
+    EXPECT_NEAR(c.sampled(series({0, 3}, {5, 5}))[1], 5, 1e-12);
+    expectSays(c.source, "S1.csv:p_Pa, ");
+    expectSays(refusal([&]() { read("\"S1.csv\""); }), "done again, not a copy");
+    expectSays(refusal([&]() { read("\"short.csv\""); }), "that all of them cover");
+    expectSays(refusal([&]() { read("\"none.csv\""); }), "there is no file");
+}
+
+
 TEST(misfitChannel, fewReadingsAreTakenAsTheyAre)
 {
     const channel c(channelOf("t_s,p_Pa\n0,1\n1,2\n5,4\n"));

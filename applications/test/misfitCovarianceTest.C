@@ -95,6 +95,37 @@ TEST(misfitCovariance, gainAndStartOfTimeAddTheirDirections)
 }
 
 
+TEST(misfitCovariance, ofRepeatedExperimentsNoiseAndChanceAreAShare)
+{
+    mat runs(10, 3);
+    runs.leftCols(2).setRandom();
+    runs.col(2) = -runs.col(0) - runs.col(1);
+    const auto added = [&](const label first, const label second, const bool chance)
+    {
+        stacked data;
+        for (const label repeats : {first, second})
+        {
+            segment s(oneChannel(5, 0).segments[0]);
+            s.first = 5*data.segments.size();
+            s.repeats = repeats;
+            s.readings *= repeats;
+            data.segments.push_back(s);
+        }
+        data.y = vec::Zero(10);
+        covariance c(data, 0);
+        const mat noise = c.at(data.y);
+        c.addRepeats(runs, 1);
+        return chance ? mat(c.at(data.y) - noise) : noise;
+    };
+    const mat once = added(1, 1, true);
+    const mat more = added(3, 1, true);
+    EXPECT_NEAR((added(3, 1, false).diagonal().head(5).array() - 0.4/3).abs().sum(), 0, 1e-12);
+    EXPECT_NEAR((more.block(0, 0, 5, 5) - once.block(0, 0, 5, 5)*2/3).norm(), 0, 1e-12);
+    EXPECT_NEAR((more.block(5, 5, 5, 5) - once.block(5, 5, 5, 5)).norm(), 0, 1e-12);
+    EXPECT_NEAR((more.block(0, 5, 5, 5) - once.block(0, 5, 5, 5)*2/3).norm(), 0, 1e-12);
+}
+
+
 TEST(misfitCovariance, itsSourcesMakeUpTheWhole)
 {
     stacked data(oneChannel(40, 0));

@@ -24,10 +24,16 @@ struct fakeRuns
     keptRuns kept;
 
 
-    fakeRuns(const fakeCase& c, const scalarList& slopes, const string& head = "as now")
+    fakeRuns
+    (
+        const fakeCase& c,
+        const scalarList& slopes,
+        const string& head = "as now",
+        const std::string& more = ""
+    )
     :
         of(c),
-        ask(c, "jobs 1; "),
+        ask(c, "jobs 1; " + more),
         kept{c.folder()/"kept/runs.txt", head, ask.recorded, states, {}, 0.5}
     {
         for (const scalar s : slopes)
@@ -62,7 +68,7 @@ TEST(misfitKeptRuns, aFileHoldsRunsInWordsAndFourDigits)
     );
     EXPECT_EQ(p[0].channels[0].y, scalarList({0, 0.6173, 1.235, 1.852, 2.469}));
     EXPECT_FALSE(p[1].ok());
-    const List<prediction> again(runs.kept.read());
+    const List<prediction> again(runs.grown());
     EXPECT_EQ(again[0].channels[0].y, p[0].channels[0].y);
     EXPECT_EQ(again[0].channels[0].x, p[0].channels[0].x);
     EXPECT_FALSE(again[1].ok());
@@ -107,13 +113,18 @@ TEST(misfitKeptRuns, eachBatchIsInTheFileBeforeTheNextBegins)
 }
 
 
-TEST(misfitKeptRuns, aRunThatWasKilledIsNoFailure)
+TEST(misfitKeptRuns, aRunThatWasKilledOrOutOfTimeIsNoFailure)
 {
-    const fakeCase c;
-    fakeRuns runs(c, {1, 7, 2});
-    expectSays(refusal([&]() { runs.grown(labelMax, 3); }), "has the 1 before it");
-    EXPECT_EQ(runs.kept.read().size(), 1);
-    expectSaysNo(runs.text(), "failed");
+    const fakeCase killed;
+    const fakeCase slow;
+    fakeRuns few(killed, {1, 7, 2});
+    fakeRuns late(slow, {1, 8, 2}, "as now", "timeLimit 2; ");
+    for (fakeRuns* runs : {&few, &late})
+    {
+        expectSays(refusal([&]() { runs->grown(labelMax, 3); }), "has those that ended");
+        EXPECT_EQ(runs->kept.read().size(), 2);
+        expectSaysNo(runs->text(), "failed");
+    }
 }
 
 
@@ -127,19 +138,32 @@ TEST(misfitKeptRuns, halfARunIsNotTakenForAWholeOne)
     for (auto size = text.size() - 1; size > second; --size)
     {
         writeWhole(runs.kept.file, text.substr(0, size));
-        expectSays(refusal([&]() { runs.kept.read(); }), "ends within a run");
+        expectSays(refusal([&]() { runs.kept.read(); }), "ends within a ");
     }
     writeWhole(runs.kept.file, text.substr(0, second));
     EXPECT_EQ(runs.kept.read().size(), 1);
 }
 
 
-TEST(misfitKeptRuns, runsOfOtherFormulasOrOfAnotherDesignAreRefused)
+TEST(misfitKeptRuns, runsOfOtherFormulasAreRefused)
 {
     const fakeCase c;
     fakeRuns(c, {1, 2, 3}).grown(2);
     expectSays(refusal([&]() { fakeRuns(c, {1, 2}, "before").grown(); }), "other formulas");
-    expectSays(refusal([&]() { fakeRuns(c, {1, 3}).grown(); }), "another design: run 2");
-    EXPECT_EQ(fakeRuns(c, {1}).grown().size(), 1);
     EXPECT_EQ(c.count(), 2);
+}
+
+
+TEST(misfitKeptRuns, thoseOfAnotherDesignStayAndWhatBothHaveIsNotRunAgain)
+{
+    const fakeCase c;
+    fakeRuns(c, {1, 2}).grown();
+    const List<prediction> p(fakeRuns(c, {3, 2, 3, 1}).grown());
+    EXPECT_EQ(c.count(), 3);
+    ASSERT_EQ(p.size(), 4);
+    EXPECT_EQ(p[0].channels[0].y.last(), 6);
+    EXPECT_EQ(p[1].channels[0].y.last(), 4);
+    EXPECT_EQ(p[3].channels[0].y.last(), 2);
+    EXPECT_EQ(fakeRuns(c, {1, 2}).grown().size(), 2);
+    EXPECT_EQ(c.count(), 3);
 }

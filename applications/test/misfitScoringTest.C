@@ -31,7 +31,7 @@ std::vector<scored> explain
 {
     w.data.y = y;
     covariance c(w.data, 0.005);
-    c.addSpread("between the runs", surface.leftOut(), 1);
+    c.addSpread("between the runs", surface.leftOut(), 0, 1);
     std::vector<scored> list
     (
         scoring(w.data, surface, w.bounds, c).all
@@ -374,7 +374,7 @@ TEST(misfitScoring, exchangedChannelsTakeWithThemWhatTheSimulationIsUncertainBy)
     w.data.y += w.noise(generator);
 
     covariance c(w.data, 0.005);
-    c.addSpread("between the runs", surface.leftOut(), 1);
+    c.addSpread("between the runs", surface.leftOut(), 0, 1);
     c.addDifference("mesh", wave);
     const std::vector<scored> list
     (

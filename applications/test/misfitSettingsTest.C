@@ -81,6 +81,16 @@ TEST(misfitSettings, chaosNeedsReplicatesToBeKnown)
 }
 
 
+TEST(misfitSettings, anotherMeshHasReplicatesOnlyWhereRunsDifferByChance)
+{
+    const std::string three("replicateChanges (); replicates 3; resolutionReplicates ");
+    EXPECT_EQ(refusalOf("chaotic yes; " + three + "3;"), "nothing");
+    expectSays(refusalOf("chaotic yes; " + three + "4;"), "number of replicates, 3");
+    expectSays(refusalOf(three + "2;"), "without 'chaotic yes' give 1");
+    expectSays(refusalOf("resolutionReplicates 0;"), "give 1");
+}
+
+
 TEST(misfitSettings, replicatesThatDoNothingOrTellNoSpreadAreWarnedOf)
 {
     const auto said = [](const std::string& entries)

@@ -46,7 +46,7 @@ void statistics::covariance::addNoise(const segment& s)
             if (s.memory > 0)
             {
                 block(i, j) +=
-                    sqr(s.uncertainty)
+                    sqr(s.uncertainty)/s.repeats
                    *ofMeans(std::abs(s.x[i] - s.x[j]), s.span, s.memory);
             }
             else if (i == j)
@@ -59,6 +59,21 @@ void statistics::covariance::addNoise(const segment& s)
         // The mean of correlated readings is never surer than of white ones
         block(i, i) = std::max(block(i, i), white + sqr(s.zeroUncertainty));
     }
+}
+
+
+statistics::mat statistics::covariance::ofRecordings() const
+{
+    mat share(data_.size(), data_.size());
+    for (const segment& a : data_.segments)
+    {
+        for (const segment& b : data_.segments)
+        {
+            share.block(a.first, b.first, a.size, b.size)
+                .setConstant(1.0/std::max(a.repeats, b.repeats));
+        }
+    }
+    return share;
 }
 
 
@@ -205,7 +220,8 @@ void statistics::covariance::addSpread
 (
     const std::string& source,
     const mat& deviations,
-    const double factor
+    const double ofRecording,
+    const double ofSimulation
 )
 {
     const int n = deviations.cols();
@@ -228,12 +244,10 @@ void statistics::covariance::addSpread
     const double distance = (sample - target).squaredNorm();
     shrinkage_ = distance > 0 ? std::min(std::max(noise/distance, 0.0), 1.0) : 1;
 
-    add
-    (
-        source,
-        factor*scale.asDiagonal()
-       *(shrinkage_*target + (1 - shrinkage_)*sample)*scale.asDiagonal()
-    );
+    const mat one =
+        scale.asDiagonal()
+       *(shrinkage_*target + (1 - shrinkage_)*sample)*scale.asDiagonal();
+    add(source, ofRecording*one.cwiseProduct(ofRecordings()) + ofSimulation*one);
 }
 
 
@@ -248,7 +262,8 @@ void statistics::covariance::addRepeats
     {
         return;
     }
-    addSpread("replicates", deviations(runs), (1 + 1.0/averaged)*n/(n - 1));
+    const double single = double(n)/(n - 1);
+    addSpread("replicates", deviations(runs), single, single/averaged);
 }
 
 
@@ -287,6 +302,25 @@ void statistics::covariance::addDifference
         mat(column*column.transpose())
       + scale.asDiagonal()*correlation(likelyMemory(z))*scale.asDiagonal()
     );
+}
+
+
+void statistics::covariance::addResolution
+(
+    const std::string& source,
+    const mat& runs,
+    const mat& repeats,
+    const bool byChance
+)
+{
+    if (!byChance)
+    {
+        addDifference(source, runs.col(0) - repeats.col(0));
+        return;
+    }
+    const vec difference = runs.rowwise().mean() - repeats.rowwise().mean();
+    const double share = 1.0/runs.cols() + 1.0/repeats.cols();
+    addDifference(source, difference, share*between(repeats));
 }
 
 

@@ -62,16 +62,16 @@ void statistics::sampledModel::build()
     covariance_ = covariance(data_, clockUncertainty_);
     if (chaotic)
     {
-        covariance_.addSpread("chaos", chaos(), 1 + surface_->leverage().mean());
+        covariance_.addSpread("chaos", chaos(), 1, surface_->leverage().mean());
     }
     else
     {
         covariance_.addRepeats(repeats_, averaged_);
-        covariance_.addSpread("between the runs", surface_->leftOut(), 1);
+        covariance_.addSpread("between the runs", surface_->leftOut(), 0, 1);
     }
-    for (const std::pair<std::string, vec>& d : differences_)
+    for (const std::pair<std::string, mat>& r : resolutions_)
     {
-        covariance_.addDifference(d.first, d.second, 2*chance);
+        covariance_.addResolution(r.first, r.second, repeats_, chaotic);
     }
 }
 
@@ -103,9 +103,9 @@ statistics::sampledModel::without(const int segment) const
     rest.covariance_ = covariance(rest.data_, clockUncertainty_);
     rest.samples_ = samples_(keep, Eigen::all);
     rest.repeats_ = repeats_(keep, Eigen::all);
-    for (std::pair<std::string, vec>& d : rest.differences_)
+    for (std::pair<std::string, mat>& r : rest.resolutions_)
     {
-        d.second = d.second(keep).eval();
+        r.second = r.second(keep, Eigen::all).eval();
     }
     rest.build();
     return rest;

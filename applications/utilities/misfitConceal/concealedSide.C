@@ -23,14 +23,16 @@ const scalar step = 0.02;
 //- The same of a truth, which all readings of a case are made of
 const scalar fineStep = 0.01;
 
-//- Without the entry "outside", which only the making knows
-dictionary readDictionary(const fileName& file, wordList& outside)
+//- Without the entries "outside" and "recordings", which only the making knows
+dictionary readDictionary(const fileName& file, wordList& outside, label& nRecordings)
 {
     checkThere(file, "start in the folder of a slice, or name it with -case");
     IFstream is(file);
     dictionary dict(is);
     dict.readIfPresent("outside", outside);
+    dict.readIfPresent("recordings", nRecordings);
     dict.remove("outside");
+    dict.remove("recordings");
     return dict;
 }
 
@@ -84,7 +86,7 @@ Foam::misfit::concealedSide::concealedSide
     const label most
 )
 :
-    dict_(readDictionary(slice/"sides"/side + "Dict", outside_)),
+    dict_(readDictionary(slice/"sides"/side + "Dict", outside_, nRecordings_)),
     bare_(dict_, slice),
     solver_(bare_, slice, dict_),
     useSolver_(useSolver)
@@ -202,6 +204,16 @@ Foam::scalar Foam::misfit::concealedSide::difference(const label run)
 }
 
 
+Foam::fileName Foam::misfit::concealedSide::repeatName
+(
+    const word& channel,
+    const label repeat
+)
+{
+    return channel + ".repeat" + Foam::name(repeat) + ".csv";
+}
+
+
 Foam::misfit::recordings
 Foam::misfit::concealedSide::recorded(const fileName& folder) const
 {
@@ -213,6 +225,12 @@ Foam::misfit::concealedSide::recorded(const fileName& folder) const
     {
         dictionary& c = channels.subDict(name);
         c.set("file", fileName(folder/name + ".csv"));
+        fileNameList repeats;
+        while (isFile(folder/repeatName(name, repeats.size() + 1), false))
+        {
+            repeats.append(folder/repeatName(name, repeats.size() + 1));
+        }
+        c.set("repeats", repeats);
         c.set("uncertainty", level*c.get<scalar>("uncertainty"));
     }
     return recordings(all, folder);

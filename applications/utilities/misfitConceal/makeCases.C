@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Makes cases whose cause is concealed, and the key to them.
 
-#include "concealedSide.H"
+#include "caseDrawing.H"
 #include "report.H"
 #include "textFile.H"
 
@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <random>
 #include <sstream>
 
 namespace
@@ -22,151 +21,8 @@ using namespace Foam::misfit;
 //- Time between two readings [s]
 const scalar step = 0.005;
 
-//- Draws cases as the key has them: kind (null, single, pair, outside, sensor), noise
-//  (over what the channels state), mechanisms (name and strength of each), parameters,
-//  startOff (common shift of time [s]), faulty (a channel), fault, and faultSize (a
-//  share, or [s] of a lag and a clock)
-class drawing
-{
-    std::mt19937 generator_;
-
-    std::uniform_real_distribution<scalar> any_;
-
-    std::normal_distribution<scalar> normal_;
-
-    List<parameter> parameters_;
-
-    //- Between which of their strengths each is drawn
-    HashTable<candidate> candidates_;
-
-    wordList library_;
-
-    //- Those that the library does not have
-    wordList outside_;
-
-    //- Those of A that are fitted: one of them may be faulty
-    wordList channels_;
-
-
-    scalar uniform(const scalar from, const scalar to)
-    {
-        return from + (to - from)*any_(generator_);
-    }
-
-
-    label pick(const label n)
-    {
-        return min(label(n*any_(generator_)), n - 1);
-    }
-
-
-public:
-
-    drawing(const concealedSide& truth, const label seed)
-    :
-        generator_(seed),
-        parameters_(readParameters(truth.dict().subDict("parameters"))),
-        outside_(truth.outside())
-    {
-        for (const channel& c : truth.bare().channels())
-        {
-            if (c.experiment == "A" && c.use == purpose::calibration)
-            {
-                channels_.append(c.name);
-            }
-        }
-        for (const candidate& c : readCandidates(truth.dict().subDict("candidates")))
-        {
-            candidates_.insert(c.name, c);
-            if (!outside_.found(c.name))
-            {
-                library_.append(c.name);
-            }
-        }
-        if (library_.size() < 2 || outside_.empty() || channels_.empty())
-        {
-            FatalIOErrorInFunction(truth.dict())
-                << "The truth needs two candidates of the library, one that the entry"
-                << " outside names, and a channel to fit" << exit(FatalIOError);
-        }
-    }
-
-
-    //- In the shares 30 % nulls, 25 % singles, 12 % pairs, 15 % outside the
-    //  library, 18 % faults
-    json draw()
-    {
-        const scalar lot = any_(generator_);
-        nlohmann::json parameters = nlohmann::json::object();
-        for (const parameter& p : parameters_)
-        {
-            // As far as an ensemble reaches
-            const scalar z = min(max(normal_(generator_), -2.0), 2.0);
-            const scalar x = p.mean + p.deviation*z;
-            parameters[p.name] = min(max(x, p.lower), p.upper);
-        }
-        const scalar jitter = 0.005*normal_(generator_);
-        const word kind
-        (
-            lot < 0.3 ? "null" : lot < 0.55 ? "single" : lot < 0.67 ? "pair"
-          : lot < 0.82 ? "outside" : "sensor"
-        );
-        json key =
-        {
-            {"kind", kind}, {"noise", pick(2) ? 2.0 : 1.0},
-            {"mechanisms", json::array()}, {"parameters", parameters},
-            {"startOff", jitter}, {"faulty", ""}, {"fault", ""}, {"faultSize", 0.0}
-        };
-        if (kind == "sensor")
-        {
-            key["faulty"] = channels_[pick(channels_.size())];
-            const word fault(wordList({"gain", "zero", "lag", "drift", "clock"})[pick(5)]);
-            const scalar side = pick(2) ? 1 : -1;
-            key["fault"] = fault;
-            key["faultSize"] =
-                fault == "gain" ? side*uniform(0.1, 0.3)
-              : fault == "lag" ? uniform(0.03, 0.12)
-              : fault == "clock" ? side*uniform(0.03, 0.1)
-              : side*uniform(0.05, 0.2);
-        }
-        wordList names;
-        if (kind != "null" && kind != "sensor")
-        {
-            const wordList& from = kind == "outside" ? outside_ : library_;
-            const label n = from.size();
-            const label i = pick(n);
-            names.append(from[i]);
-            if (kind == "pair")
-            {
-                names.append(from[(i + 1 + pick(n - 1)) % n]);
-            }
-        }
-        for (const word& name : names)
-        {
-            const candidate& c = candidates_[name];
-            key["mechanisms"].push_back
-            (
-                {{"name", name}, {"strength", uniform(c.weak, c.strong)}}
-            );
-        }
-        return key;
-    }
-
-
-    //- White noise and a part that remembers 20 ms, with that deviation
-    void addNoise(series& s, const scalar deviation)
-    {
-        scalar slow = normal_(generator_);
-        const scalar keep = std::exp(-step/0.02);
-        for (scalar& y : s.y)
-        {
-            slow = keep*slow + Foam::sqrt(1 - keep*keep)*normal_(generator_);
-            y +=
-                deviation
-               *(Foam::sqrt(0.8)*normal_(generator_) + Foam::sqrt(0.2)*slow);
-        }
-    }
-};
+//- The replicates of a case's repeats are so many apart, and there are no more cases
+const label mostCases = 10000;
 
 
 //- What a channel would record of a true series, every 5 ms and without noise
@@ -250,12 +106,14 @@ json effect
 }
 
 
-//- The states that a case needs: all experiments, and A without what is concealed
+//- The states that a case needs: all experiments, A without what is concealed, and both
+//  of A repeated
 List<runState> statesOf
 (
     const json& key,
     const wordList& experiments,
-    const label replicate
+    const label replicate,
+    const label nRecordings
 )
 {
     runState bare;
@@ -275,6 +133,14 @@ List<runState> statesOf
         states[i].experiment = experiments[i];
     }
     states.append(bare);
+    for (label repeat = 1; repeat < nRecordings; ++repeat)
+    {
+        for (const runState& s : {states[experiments.find("A")], bare})
+        {
+            states.append(s);
+            states.last().replicate += mostCases*repeat;
+        }
+    }
     return states;
 }
 
@@ -297,21 +163,24 @@ void Foam::misfit::makeCases
         return;
     }
     const recordings& all = truth.bare();
-    drawing lots(truth, key["seed"]);
+    caseDrawing lots(truth, key["seed"]);
     std::vector<json> cases(n);
     List<runState> states;
     const label own = truth.hasReplicates();
+    const label times = truth.nRecordings();
     for (label i = 0; i < n; ++i)
     {
         cases[i] = lots.draw();
         const label replicate = concealedSide::replicate("truth") + own*i;
-        states.append(statesOf(cases[i], all.experiments(), replicate));
+        states.append(statesOf(cases[i], all.experiments(), replicate, times));
     }
     const List<prediction> given
     (
         kept.empty() ? truth.predict(states) : truth.predict(states, kept)
     );
-    const label each = all.experiments().size() + 1;
+    const label fitted = all.experiments().find("A");
+    const label bare = all.experiments().size();
+    const label each = bare + 2*times - 1;
 
     for (label i = 0; i < n; ++i)
     {
@@ -334,16 +203,35 @@ void Foam::misfit::makeCases
         {
             const channel& ch = all.channels()[k];
             const label e = all.experiments().find(ch.experiment);
-            series s(recorded(cases[i], mine[e].channels[k], ch.name));
-            lots.addNoise(s, level*ch.samples.uncertainty);
-            writeWhole(target/ch.name + ".csv", csv(s, ch.samples.quantity, ch.overTime()));
+            for (label repeat = 0; repeat < (e == fitted ? times : 1); ++repeat)
+            {
+                const label run = repeat ? bare + 2*repeat - 1 : e;
+                series s(recorded(cases[i], mine[run].channels[k], ch.name));
+                lots.addNoise(s, level*ch.samples.uncertainty, step);
+                writeWhole
+                (
+                    target
+                   /(
+                        repeat
+                      ? concealedSide::repeatName(ch.name, repeat) : ch.name + ".csv"
+                    ),
+                    csv(s, ch.samples.quantity, ch.overTime())
+                );
+            }
         }
         writeWhole(target/"level", shortNumber(level) + '\n');
 
         json k = {{"case", number}};
         k.update(cases[i]);
-        k["effect"] =
-            effect(all, cases[i], mine[all.experiments().find("A")], mine[each - 1]);
+        k["effects"] = json::array();
+        for (label repeat = 0; repeat < times; ++repeat)
+        {
+            const label with = repeat ? bare + 2*repeat - 1 : fitted;
+            k["effects"].push_back
+            (
+                effect(all, cases[i], mine[with], mine[bare + 2*repeat])
+            );
+        }
         key["cases"].push_back(k);
     }
     writeWhole(keyFile, key.dump() + '\n');

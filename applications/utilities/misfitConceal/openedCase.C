@@ -8,6 +8,7 @@
 #include "stringOps.H"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace
@@ -43,10 +44,18 @@ struct detectability
     {}
 
 
-    //- Norm over the noise of the sensors
-    scalar noiseSNR(const vec& effect) const
+    //- Norm of what is common to effects, a column for each recording, over what is
+    //  uncertain. Its square is the mean product of two different ones, which chance does
+    //  not raise; of one alone its own
+    static scalar SNR(const mat& effects, const mat& uncertain)
     {
-        return whitener(visible.sensors)(effect).norm();
+        const mat white = whitener(uncertain)(effects);
+        const scalar n = effects.cols();
+        const scalar all = white.rowwise().sum().squaredNorm();
+        return std::sqrt
+        (
+            n < 2 ? all : max((all - white.squaredNorm())/(n*(n - 1)), 0.0)
+        );
     }
 
 
@@ -200,16 +209,21 @@ openedCase opened
         );
     c.right = isRight(c);
 
-    const vec effect(sampled(key["effect"], detect));
-    c.noiseSNR = detect.noiseSNR(effect);
-    c.SNR = whitener(detect.visible.calibrated)(effect).norm();
+    mat effects(detect.data.size(), 0);
+    for (const json& effect : key["effects"])
+    {
+        appendColumn(effects, sampled(effect, detect));
+    }
+    c.noiseSNR = detect.SNR(effects, detect.visible.sensors);
+    c.SNR = detect.SNR(effects, detect.visible.calibrated);
     const json& named = c.proof["effect"];
-    const scalar size = named.empty() ? 0 : detect.noiseSNR(vecOf(listOf(named)));
-    if (size > 0)
+    const scalar size =
+        named.empty() ? 0 : detect.SNR(vecOf(listOf(named)), detect.visible.sensors);
+    if (size > 0 && c.noiseSNR > 0)
     {
         c.sizeOff = 100*mag(size/c.noiseSNR - 1);
     }
-    const std::vector<window> places(detect.places(effect));
+    const std::vector<window> places(detect.places(effects.rowwise().mean()));
     if (places.size())
     {
         compare(c, places, detect.data);

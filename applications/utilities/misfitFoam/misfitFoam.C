@@ -36,7 +36,7 @@ void printPlan
         << "Gates: " << 2*set.commonRandomNumbers
         << " runs of each test experiment, up to "
         << (2 + set.parameters.size())*set.commonRandomNumbers + set.replicates
-         + set.resolutions.size()
+         + set.resolutionReplicates*set.resolutions.size()
         << " of each validation experiment" << nl;
     if (set.correction.size())
     {

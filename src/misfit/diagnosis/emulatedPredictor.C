@@ -77,10 +77,12 @@ bool Foam::misfit::emulatedPredictor::isVariantOf
 ) const
 {
     const runState& r = states_[run];
-    return runs_[run].ok() && isVariant(run)
+    const bool otherResolution = r.resolution != "base";
+    const bool otherReplicate = r.replicate != states_.first().replicate;
+    return runs_[run].ok() && otherResolution != otherReplicate
      && r.experiment == s.experiment
-     && (r.resolution == "base" || r.resolution == s.resolution)
-     && (r.replicate == states_.first().replicate || r.replicate == s.replicate);
+     && (!otherResolution || r.resolution == s.resolution)
+     && (!otherReplicate || r.replicate == s.replicate);
 }
 
 

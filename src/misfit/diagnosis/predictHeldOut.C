@@ -63,12 +63,6 @@ bool addNumerics(study& s, const observed& other, covariance& known)
     const label replicates = s.set.replicates;
     const List<runState> states(uncertaintyRuns(s, other.experiment));
     const List<samples> given(s.run(states));
-    mat repeats(other.validation.size(), 0);
-    const auto chance = [&]()
-    {
-        const bool chaotic = s.set.chaotic && repeats.cols() > 1;
-        return chaotic ? vec(2*known.between(repeats)) : vec();
-    };
     bool confirms = true;
     forAll(given, i)
     {
@@ -77,16 +71,17 @@ bool addNumerics(study& s, const observed& other, covariance& known)
             s.leaveOut(states[i], given[i].failure);
             confirms = confirms && i > 0 && i < replicates;
         }
-        else if (i < replicates)
+    }
+    auto runs = byResolution(states, given, purpose::validation);
+    const mat repeats(runs["base"]);
+    runs.erase("base");
+    for (const auto& [name, finer] : runs)
+    {
+        if (given.first().ok())
         {
-            appendColumn(repeats, given[i].validation);
-        }
-        else if (given.first().ok())
-        {
-            known.addDifference
+            known.addResolution
             (
-                states[i].resolution, given[i].validation - given.first().validation,
-                chance()
+                name, finer, repeats, s.set.chaotic && repeats.cols() > 1
             );
         }
     }

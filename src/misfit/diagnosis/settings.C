@@ -70,6 +70,15 @@ void checkSizes(const dictionary& dict, const settings& s)
             << " replicateChanges, and 3 replicates or more, better 12"
             << exit(FatalIOError);
     }
+    const bool many = s.resolutionReplicates > (s.chaotic ? s.replicates : 1);
+    if (s.resolutionReplicates < 1 || many)
+    {
+        FatalIOErrorInFunction(dict)
+            << "resolutionReplicates is " << s.resolutionReplicates << ": give 1 to the"
+            << " number of replicates, " << s.replicates << "; without 'chaotic yes' give"
+            << " 1, since the run with another mesh then is compared with the one of the"
+            << " same replicate" << exit(FatalIOError);
+    }
 }
 
 //- Warns where the chance between runs stays unknown, or a number of them does nothing
@@ -106,8 +115,9 @@ Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
             "FoamFile", "commands", "files", "ranks", "jobs", "timeLimit",
             "experiments", "channels", "heldOut", "samples", "parameters",
             "candidates", "replicateChanges", "replicates", "commonRandomNumbers",
-            "resolution", "trainingEnsemble", "chaotic", "clockUncertainty", "faults",
-            "decision", "draws", "seed", "shared", "correction"
+            "resolution", "resolutionReplicates", "trainingEnsemble", "chaotic",
+            "clockUncertainty", "faults", "decision", "draws", "seed", "shared",
+            "correction"
         }
     );
 
@@ -126,6 +136,7 @@ Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
     s.commonRandomNumbers =
         min(dict.getOrDefault<label>("commonRandomNumbers", 3), s.replicates);
     s.resolutions = keywords::sub(dict, "resolution").sortedToc();
+    dict.readIfPresent("resolutionReplicates", s.resolutionReplicates);
     dict.readIfPresent("trainingEnsemble", s.trainingEnsemble);
     dict.readIfPresent("chaotic", s.chaotic);
     dict.readIfPresent("clockUncertainty", s.clockUncertainty);

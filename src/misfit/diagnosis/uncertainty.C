@@ -158,10 +158,33 @@ Foam::List<Foam::misfit::runState> Foam::misfit::uncertaintyRuns
     }
     for (const word& name : s.set.resolutions)
     {
-        states.append(s.state(experiment, s.bounds.mean));
-        states.last().resolution = name;
+        for (label replicate = 0; replicate < s.set.resolutionReplicates; ++replicate)
+        {
+            states.append(s.state(experiment, s.bounds.mean));
+            states.last().resolution = name;
+            states.last().replicate = replicate;
+        }
     }
     return states;
+}
+
+
+std::map<Foam::word, Foam::misfit::mat> Foam::misfit::byResolution
+(
+    const List<runState>& states,
+    const List<samples>& given,
+    const purpose use
+)
+{
+    std::map<word, mat> all;
+    forAll(states, i)
+    {
+        if (given[i].ok())
+        {
+            appendColumn(all[states[i].resolution], given[i].of(use));
+        }
+    }
+    return all;
 }
 
 
@@ -172,32 +195,30 @@ void Foam::misfit::addUncertainty(study& s)
     const List<runState> states(uncertaintyRuns(s, s.data().experiment));
     checkBases(s);
     const List<samples> given(s.run(states));
-    mat calibration(s.calibration.size(), 0);
-    mat validation(s.validation.size(), 0);
     forAll(given, i)
     {
         if (!given[i].ok())
         {
             checkFailure(s, i, states[i], given[i].failure);
         }
-        else if (i < set.replicates)
-        {
-            appendColumn(calibration, given[i].calibration);
-            appendColumn(validation, given[i].validation);
-        }
-        else
-        {
-            const vec ofCalibration =
-                given[i].calibration - given.first().calibration;
-            const vec ofValidation =
-                given[i].validation - given.first().validation;
-            checkChanges(states[i].resolution, ofCalibration, ofValidation);
-            s.calibration.addDifference(states[i].resolution, ofCalibration);
-            s.validation.addDifference(states[i].resolution, ofValidation);
-        }
     }
-    checkSpread(set.replicates, calibration.cols());
-    checkReplicates(calibration, validation);
-    s.calibration.addRepeats(calibration, set.commonRandomNumbers);
-    s.validation.addRepeats(validation, set.commonRandomNumbers);
+    auto calibration = byResolution(states, given, purpose::calibration);
+    auto validation = byResolution(states, given, purpose::validation);
+    const mat& repeats = calibration["base"];
+    const mat& validated = validation["base"];
+    checkSpread(set.replicates, repeats.cols());
+    checkReplicates(repeats, validated);
+    s.calibration.addRepeats(repeats, set.commonRandomNumbers);
+    s.validation.addRepeats(validated, set.commonRandomNumbers);
+    for (const word& name : set.resolutions)
+    {
+        const mat& other = calibration[name];
+        const mat& validatedOther = validation[name];
+        checkChanges
+        (
+            name, other.col(0) - repeats.col(0), validatedOther.col(0) - validated.col(0)
+        );
+        s.calibration.addResolution(name, other);
+        s.validation.addResolution(name, validatedOther);
+    }
 }

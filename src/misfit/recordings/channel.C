@@ -97,7 +97,7 @@ void takeSamples(channel& c, const label n)
     forAll(centre, k)
     {
         c.samples.x[k] = centre[k];
-        c.samples.readings[k] = c.start[k+1] - c.start[k];
+        c.samples.readings[k] = c.samples.repeats*(c.start[k+1] - c.start[k]);
     }
 }
 
@@ -135,7 +135,8 @@ void estimateNoise(channel& c, const bool memoryGiven)
         neighbours += i ? (y[i] - mean)*(y[i-1] - mean)/quiet : 0;
     }
 
-    c.samples.uncertainty = max(c.samples.uncertainty, Foam::sqrt(variance));
+    c.samples.uncertainty =
+        max(c.samples.uncertainty, Foam::sqrt(c.samples.repeats*variance));
 
     // A neighbour that is alike by less than chance would make it: white
     const scalar alike = variance > 0 ? neighbours/variance : 0;
@@ -189,7 +190,8 @@ Foam::misfit::channel::channel
         dict,
         {
             "experiment", "quantity", "recorder", "at", "place", "uncertainty", "memory",
-            "gainUncertainty", "zeroUncertainty", "value", "file", "column", "xColumn",
+            "gainUncertainty", "zeroUncertainty", "value", "file", "repeats", "column",
+            "xColumn",
             "unit", "scale", "offset", "xUnit", "xScale", "xOffset",
             "duplicates", "missing", "interval", "simulated"
         }
@@ -249,7 +251,7 @@ Foam::scalarList Foam::misfit::channel::sampled(const series& s) const
         {
             means[k] += s(recorded.x[i]);
         }
-        means[k] /= samples.readings[k];
+        means[k] /= start[k+1] - start[k];
     }
     return means;
 }

@@ -235,20 +235,21 @@ series inOrder
 } // End anonymous namespace
 
 
-void Foam::misfit::channel::readFile
+Foam::misfit::series Foam::misfit::channel::readOne
 (
     const dictionary& dict,
-    const fileName& folder
+    const fileName& folder,
+    const string& fileGiven
 )
 {
-    const fileName given(expanded(dict, dict.get<string>("file")));
+    const fileName given(expanded(dict, fileGiven));
     const fileName file(given.isAbsolute() ? given : folder/given);
     if (!isFile(file, false))
     {
         FatalIOErrorInFunction(dict)
             << "The channel " << name << " has no recording: there is no file " << file
-            << ". Mend file, which is sought from the folder of the case, or take it out:"
-            << " a channel without one is a measurement that could be made"
+            << ". Mend file or repeats, which are sought from the folder of the case, or take"
+            << " it out: a channel without a file is a measurement that could be made"
             << exit(FatalIOError);
     }
     const numberTable table(csvTable(file));
@@ -256,11 +257,48 @@ void Foam::misfit::channel::readFile
     const label yColumn = table.find(columnIn(dict, "column", "2"));
     const label xColumn = table.find(columnIn(dict, "xColumn", "1"));
 
-    recorded.x =
-        readColumn(dict, table, xColumn, overTime() ? "time" : "length", "x");
-    recorded.y = readColumn(dict, table, yColumn, samples.quantity, "");
-    source = table.file + ':' + table.names[yColumn];
-    recorded = inOrder(dict, table, recorded);
+    series all;
+    all.x = readColumn(dict, table, xColumn, overTime() ? "time" : "length", "x");
+    all.y = readColumn(dict, table, yColumn, samples.quantity, "");
+    source += (source.empty() ? "" : ", ") + table.file + ':' + table.names[yColumn];
+    return inOrder(dict, table, all);
+}
+
+
+void Foam::misfit::channel::readFile(const dictionary& dict, const fileName& folder)
+{
+    const series first(readOne(dict, folder, dict.get<string>("file")));
+    recorded = first;
+    List<series> all(1, first);
+    const stringList repeats(dict.getOrDefault("repeats", stringList()));
+    samples.repeats += repeats.size();
+    for (const string& file : repeats)
+    {
+        const series again(readOne(dict, folder, file));
+        const auto isAgain = [&](const series& s) { return s.x == again.x && s.y == again.y; };
+        if (std::any_of(all.begin(), all.end(), isAgain))
+        {
+            FatalIOErrorInFunction(dict)
+                << "The channel " << name << " has the same numbers in " << file
+                << " and in a file before it: a repeat is the experiment done again, not a"
+                << " copy" << exit(FatalIOError);
+        }
+        all.append(again);
+        const scalar from = max(interval.first(), first.x.first());
+        const scalar to = min(interval.second(), first.x.last());
+        if (again.x.first() > from || again.x.last() < to)
+        {
+            FatalIOErrorInFunction(dict)
+                << "The channel " << name << " counts from " << from << " to " << to
+                << ", but its repeat " << file << " covers " << again.x.first() << " to "
+                << again.x.last() << ": give an interval that all of them cover"
+                << exit(FatalIOError);
+        }
+        forAll(recorded.x, i)
+        {
+            recorded.y[i] += (again(recorded.x[i]) - first.y[i])/samples.repeats;
+        }
+    }
 }
 
 

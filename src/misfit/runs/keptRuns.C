@@ -7,6 +7,8 @@
 
 #include "clockTime.H"
 #include "OSspecific.H"
+#include "HashSet.H"
+#include "IndirectList.H"
 #include "SubList.H"
 
 #include <cmath>
@@ -69,6 +71,50 @@ Foam::string Foam::misfit::keptRuns::lines
 }
 
 
+bool Foam::misfit::keptRuns::isWhole(const runState& state, const prediction& p) const
+{
+    bool whole = true;
+    forAll(recorded.channels(), c)
+    {
+        const bool its = recorded.channels()[c].experiment == state.experiment;
+        whole = whole && (!its || p.channels[c].x.size());
+    }
+    return whole || !p.ok();
+}
+
+
+Foam::List<Foam::misfit::prediction> Foam::misfit::keptRuns::found
+(
+    const table& runs
+) const
+{
+    List<prediction> those;
+    for (const string& name : names)
+    {
+        if (runs.found(name))
+        {
+            those.append(runs[name]);
+        }
+    }
+    return those;
+}
+
+
+Foam::labelList Foam::misfit::keptRuns::lacking(const table& runs) const
+{
+    labelList some;
+    HashSet<string, string::hash> seen;
+    forAll(names, i)
+    {
+        if (!runs.found(names[i]) && seen.insert(names[i]))
+        {
+            some.append(i);
+        }
+    }
+    return some;
+}
+
+
 // * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
 
 Foam::misfit::prediction
@@ -91,31 +137,32 @@ Foam::misfit::keptRuns::reduced(const prediction& p, const scalar step)
 }
 
 
-Foam::List<Foam::misfit::prediction> Foam::misfit::keptRuns::read() const
+Foam::misfit::keptRuns::table Foam::misfit::keptRuns::read() const
 {
-    List<prediction> runs;
+    table runs;
     if (!isFile(file, false))
     {
         return runs;
     }
     std::ifstream is(file);
     std::string line;
-    const auto stop = [this](const std::string& why)
+    const auto stop = [this](const char* why)
     {
         FatalErrorInFunction
-            << "The ensemble " << file << ' ' << why.c_str() << ". Delete it to have it"
+            << "The file of runs " << file << ' ' << why << ". Delete it to have them"
             << " computed anew" << exit(FatalError);
     };
-    const auto nextLine = [&]
+    const auto hasLine = [&]()
     {
-        // A line without an end may have lost values
-        if (!std::getline(is, line) || is.eof())
+        const bool any = bool(std::getline(is, line));
+        if (any && is.eof())
         {
-            stop("ends within a run");
+            // Without its end it may have lost values
+            stop("ends within a line");
         }
+        return any;
     };
-    nextLine();
-    if (line != head)
+    if (!hasLine() || line != head)
     {
         stop
         (
@@ -123,33 +170,37 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::keptRuns::read() const
             " dictionary of its side has now"
         );
     }
-    while (runs.size() < states.size() && is.peek() != EOF)
+
+    HashTable<label> numbers;
+    forAll(recorded.channels(), c)
     {
-        const label i = runs.size();
-        nextLine();
-        if (line != names[i])
+        numbers.insert(recorded.channels()[c].name, c);
+    }
+    prediction* run = nullptr;
+    while (hasLine())
+    {
+        const word first(line.substr(0, line.find(' ')), false);
+        if (run && numbers.found(first))
         {
-            stop
-            (
-                "is of another design: run " + std::to_string(i + 1) + " should be "
-              + names[i]
-            );
+            run->channels[numbers[first]] = readSeries(line);
         }
-        prediction p;
-        for (const channel& c : recorded.channels())
+        else if (run && first == "failed")
         {
-            p.channels.append(series());
-            if (c.experiment == states[i].experiment && p.ok())
-            {
-                nextLine();
-                p.channels.last() = readSeries(line);
-                if (line == "failed")
-                {
-                    p.failure = "failed when the ensemble was made";
-                }
-            }
+            run->failure = "failed when the file was made";
         }
-        runs.append(p);
+        else
+        {
+            run = &runs(line);
+            *run = prediction();
+            run->channels.setSize(numbers.size());
+        }
+    }
+    forAll(names, i)
+    {
+        if (runs.found(names[i]) && !isWhole(states[i], runs[names[i]]))
+        {
+            stop("ends within a run");
+        }
     }
     return runs;
 }
@@ -162,41 +213,51 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::keptRuns::grown
     const label batch
 ) const
 {
-    List<prediction> runs(read());
-    const label before = runs.size();
-    const label end = before + min(most, states.size() - before);
-    string text(before ? contentOf(file) : head + '\n');
+    table runs(read());
+    const labelList todo(lacking(runs));
+    const label end = min(most, todo.size());
+    string text(isFile(file, false) ? contentOf(file) : head + '\n');
     const clockTime timer;
     mkDir(file.path());
-    while (runs.size() < end)
+    for (label first = 0; first < end; first += batch)
     {
-        const label first = runs.size();
-        const label n = min(batch, end - first);
-        Info<< file.name() << " has " << first << " of " << states.size() << " runs";
-        if (first > before)
+        Info<< file.name() << " has " << found(runs).size() << " of " << states.size()
+            << " runs";
+        if (first)
         {
-            const scalar each = timer.elapsedTime()/(first - before);
+            const scalar each = timer.elapsedTime()/first;
             Info<< ", about " << std::ceil(each*(end - first)/60) << " min for the "
                 << end - first << " to do";
         }
         Info<< endl;
 
-        const List<runState> some(SubList<runState>(states, n, first));
-        const List<prediction> more(ask.predict(some));
-        for (label i = 0; i < n && !ask.wasKilled(some[i]); ++i)
+        const labelList some(SubList<label>(todo, min(batch, end - first), first));
+        const List<runState> asked(UIndirectList<runState>(states, some));
+        const List<prediction> more(ask.predict(asked));
+        string stopped;
+        forAll(some, i)
         {
-            runs.append(reduced(more[i], step));
-            text += lines(first + i, runs.last());
+            const string& name = names[some[i]];
+            if (ask.wasStopped(asked[i]))
+            {
+                stopped = name;
+                continue;
+            }
+            runs.set(name, reduced(more[i], step));
+            text += lines(some[i], runs[name]);
         }
         writeWhole(file, text);
-        if (runs.size() < first + n)
+        if (stopped.size())
         {
             FatalErrorInFunction
-                << "A run was killed by somebody else, perhaps by a machine without room: "
-                << names[runs.size()].c_str() << ". Start this again: " << file
-                << " has the " << runs.size() << " before it" << exit(FatalError);
+                << "A run was killed by somebody else, perhaps by a machine without room,"
+                << " or took longer than timeLimit, perhaps beside others: "
+                << stopped.c_str() << ". Start this again, where need be with a longer"
+                << " timeLimit: " << file << " has those that ended" << exit(FatalError);
         }
     }
-    Info<< file.name() << " has " << end << " of " << states.size() << " runs" << endl;
-    return runs;
+    const List<prediction> those(found(runs));
+    Info<< file.name() << " has " << those.size() << " of " << states.size() << " runs"
+        << endl;
+    return those;
 }

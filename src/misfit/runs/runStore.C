@@ -72,7 +72,7 @@ struct runEnd
     }
 
     //- It did not fail by itself: killed, or out of time
-    bool isFromOutside() const
+    bool isStopped() const
     {
         return limit() >= 0 || isKilled();
     }
@@ -110,7 +110,7 @@ void Foam::misfit::runStore::prepare
     const runEnd end(target);
     const string failed
     (
-        end.said.size() && !end.isFromOutside()
+        end.said.size() && !end.isStopped()
       ? end.said : contentOf(target/failedBefore)
     );
     if (isDir(target))
@@ -268,7 +268,7 @@ bool Foam::misfit::runStore::isFinished(const wantedRun& run) const
 
     // That it failed need not be its own fault: the disk may have been full. But
     // what fails twice is not to cost a run in each call
-    return isFile(folder_/its/failedBefore, false) && !end.isFromOutside();
+    return isFile(folder_/its/failedBefore, false) && !end.isStopped();
 }
 
 
@@ -287,9 +287,9 @@ Foam::string Foam::misfit::runStore::failure(const wantedRun& run) const
 }
 
 
-bool Foam::misfit::runStore::wasKilled(const wantedRun& run) const
+bool Foam::misfit::runStore::wasStopped(const wantedRun& run) const
 {
-    return runEnd(folder_/name(run)).isKilled();
+    return runEnd(folder_/name(run)).isStopped();
 }
 
 
