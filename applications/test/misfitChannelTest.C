@@ -206,25 +206,34 @@ TEST(misfitChannel, ofRepeatedExperimentsTheMeanIsRecordedAtTheTimesOfTheFirst)
 {
     files f;
     f.write("S1.csv", "t_s,p_Pa\n0,0\n1,6\n2,12\n3,18\n");
-    f.write("again.csv", "t_s,p_Pa\n0,3\n2,3\n4,3\n");
-    f.write("third.csv", "t_s,p_Pa\n0,3\n3,3\n");
-    f.write("short.csv", "t_s,p_Pa\n0,3\n1,3\n2,3\n");
-    const auto read = [&](const std::string& repeats)
+    f.write("again.csv", "t_s,p_Pa\n0,3\n1.5,3\n2,3\n3,3\n4,3\n");
+    f.write("dry.csv", "t_s,p_Pa\n0,3\n1.5,3\n2,3\n3,3\n4,3\n");
+    f.write("coarse.csv", "t_s,p_Pa\n0,3\n1,4\n3,3\n");
+    f.write("short.csv", "t_s,p_Pa\n0,3\n1,3\n1.5,3\n2,3\n");
+    const auto read = [&](const std::string& entries)
     {
-        IStringStream is(pressure + "file \"S1.csv\"; repeats (" + repeats + ");");
+        IStringStream is(pressure + "repeats (" + entries);
         return channel("S1", dictionary(is), purpose::calibration, f.folder(), 40);
     };
-    const channel c(read("\"again.csv\" \"third.csv\""));
+    const std::string file("file \"S1.csv\";");
+    const channel c(read("\"again.csv\" \"dry.csv\"); " + file));
     EXPECT_EQ(c.samples.repeats, 3);
     EXPECT_EQ(c.samples.readings[1], 3);
     ASSERT_EQ(c.recorded.y.size(), 4);
     EXPECT_NEAR(c.recorded.y[0], 2, 1e-12);
     EXPECT_NEAR(c.recorded.y[3], 8, 1e-12);
     EXPECT_NEAR(c.sampled(series({0, 3}, {5, 5}))[1], 5, 1e-12);
-    expectSays(c.source, "S1.csv:p_Pa, ");
-    expectSays(refusal([&]() { read("\"S1.csv\""); }), "done again, not a copy");
-    expectSays(refusal([&]() { read("\"short.csv\""); }), "that all of them cover");
-    expectSays(refusal([&]() { read("\"none.csv\""); }), "there is no file");
+    ASSERT_EQ(c.files.size(), 3);
+    const auto refused = [&](const std::string& entries)
+    {
+        return refusal([&]() { read(entries); });
+    };
+    expectSays(refused("\"S1.csv\"); " + file), "done again, not a copy");
+    expectSays(refused("\"short.csv\"); " + file), "that all repeats cover");
+    expectSays(refused("\"coarse.csv\"); " + file), "the coarsest one as file");
+    expectSays(refused("\"none.csv\"); " + file), "there is no file");
+    expectSays(refused("\"again.csv\");"), "repeats of no recording");
+    expectSays(refused("\"again.csv\"); value 3; unit Pa;"), "no file and no repeats");
 }
 
 

@@ -79,6 +79,36 @@ TEST(misfitCovariance, noiseWithAMemoryIsThatOfTheAveragedProcess)
 }
 
 
+TEST(misfitCovariance, whatHasAMemoryIsAveragedOverRepeatsAlso)
+{
+    stacked data(oneChannel(6, 0.15));
+    const mat once = covariance(data, 0).at(data.y);
+    data.segments[0].repeats = 4;
+    data.segments[0].readings *= 4;
+    EXPECT_NEAR((4*covariance(data, 0).at(data.y) - once).norm(), 0, 1e-12);
+}
+
+
+TEST(misfitCovariance, whatEffectsHaveInCommonIsNotRaisedByChance)
+{
+    std::mt19937 generator(5);
+    std::normal_distribution<scalar> normal;
+    const statistics::whitener white(4*mat::Identity(50, 50));
+    EXPECT_NEAR(white.normInCommon(2*vec::Ones(50)), std::sqrt(50.0), 1e-12);
+    scalar square = 0;
+    for (label k = 0; k < 400; ++k)
+    {
+        const mat effects = mat::NullaryExpr
+        (
+            50, 3, [&](Eigen::Index, Eigen::Index) { return 2 + 2*normal(generator); }
+        );
+        square += sqr(white.normInCommon(effects))/400;
+    }
+    EXPECT_NEAR(square, 50, 2);
+    EXPECT_EQ(white.normInCommon((mat(50, 2) << vec::Ones(50), -vec::Ones(50)).finished()), 0);
+}
+
+
 TEST(misfitCovariance, gainAndStartOfTimeAddTheirDirections)
 {
     stacked data(oneChannel(5, 0));

@@ -107,6 +107,23 @@ TEST(misfitFailedRuns, aFailedResolutionStopsItAndAFailedReplicateIsTold)
 }
 
 
+TEST(misfitFailedRuns, ofSeveralRunsWithAnotherMeshOneMayFail)
+{
+    settings set(worldSettings());
+    set.resolutions = {"mesh"};
+    set.chaotic = true;
+    set.replicates = 4;
+    set.commonRandomNumbers = 1;
+    set.resolutionReplicates = 3;
+    worldSampler s(truth(-1, 0), 100, vec());
+    s.refine(0.01);
+    s.failReplicate(2);
+    const finding f(diagnose(s, set));
+    ASSERT_EQ(f.failedRuns.size(), 4);
+    EXPECT_NE(describe(f.failedRuns[1]).find("replicate 2, other mesh"), std::string::npos);
+}
+
+
 TEST(misfitFailedRuns, twoReplicatesThatAreTheSameAreAnError)
 {
     // The surge in closed form has no grains: all its replicates are alike

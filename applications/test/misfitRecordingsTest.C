@@ -124,6 +124,20 @@ TEST(misfitRecordings, heldOutDataListedTwiceIsRefused)
 }
 
 
+TEST(misfitRecordings, aRepeatThatIsHeldOutElsewhereIsRefused)
+{
+    expectSays
+    (
+        refusalOfAll
+        (
+            channels("repeats (\"b.csv\");", "file \"b.csv\";")
+          + "heldOut { validation (S2); }"
+        ),
+        "are the same numbers"
+    );
+}
+
+
 TEST(misfitRecordings, aPartOfHeldOutDataIsRefusedTwoPartsOfAFileAreNot)
 {
     const auto parts = [](const std::string& first, const std::string& second)

@@ -4,7 +4,6 @@
 #include "covariance.H"
 
 #include <cmath>
-#include <stdexcept>
 
 namespace
 {
@@ -184,36 +183,6 @@ statistics::covariance::covariance(const stacked& data, const double clockUncert
 }
 
 
-statistics::whitener::whitener(const mat& covariance)
-:
-    factor_(covariance)
-{
-    if (factor_.info() != Eigen::Success)
-    {
-        // Nearly dependent samples: a billionth of the variance tells them apart
-        mat wider(covariance);
-        wider.diagonal() *= 1 + 1e-9;
-        wider.diagonal().array() += 1e-9*covariance.diagonal().mean();
-        factor_.compute(wider);
-    }
-    if (factor_.info() != Eigen::Success)
-    {
-        throw std::domain_error
-        (
-            "The covariance of the samples is not positive definite: is the"
-            " uncertainty of a channel far too small?"
-        );
-    }
-    logDeterminant_ =
-        2*factor_.matrixLLT().diagonal().array().log().sum();
-
-    const vec scale = covariance.diagonal().cwiseSqrt().cwiseInverse();
-    effectiveSize_ =
-        sqr(double(covariance.rows()))
-       /(scale.asDiagonal()*covariance*scale.asDiagonal()).squaredNorm();
-}
-
-
 // * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
 
 void statistics::covariance::addSpread
@@ -308,19 +277,15 @@ void statistics::covariance::addDifference
 void statistics::covariance::addResolution
 (
     const std::string& source,
-    const mat& runs,
+    const mat& changes,
     const mat& repeats,
     const bool byChance
 )
 {
-    if (!byChance)
-    {
-        addDifference(source, runs.col(0) - repeats.col(0));
-        return;
-    }
-    const vec difference = runs.rowwise().mean() - repeats.rowwise().mean();
-    const double share = 1.0/runs.cols() + 1.0/repeats.cols();
-    addDifference(source, difference, share*between(repeats));
+    const int n = changes.cols();
+    const vec chance =
+        !byChance ? vec() : n < 3 ? vec(2*between(repeats)/n) : vec(between(changes)/n);
+    addDifference(source, changes.rowwise().mean(), chance);
 }
 
 

@@ -42,7 +42,7 @@ double top(const stacked& data, const segment& s)
 double noiseOf(const segment& s)
 {
     return
-        s.memory > 0 ? s.uncertainty
+        s.memory > 0 ? s.uncertainty/std::sqrt(s.repeats)
       : s.uncertainty*std::sqrt(s.readings.cwiseInverse().mean());
 }
 

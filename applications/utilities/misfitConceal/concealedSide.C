@@ -31,6 +31,12 @@ dictionary readDictionary(const fileName& file, wordList& outside, label& nRecor
     dictionary dict(is);
     dict.readIfPresent("outside", outside);
     dict.readIfPresent("recordings", nRecordings);
+    if (nRecordings < 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "recordings is " << nRecordings << ": experiment A is recorded once or more"
+            << " often" << exit(FatalIOError);
+    }
     dict.remove("outside");
     dict.remove("recordings");
     return dict;

@@ -162,6 +162,12 @@ void Foam::misfit::makeCases
         Info<< key["cases"].size() << " cases are made already" << endl;
         return;
     }
+    if (n > mostCases)
+    {
+        FatalErrorInFunction
+            << n << " cases are too many: at most " << mostCases << " have grains of"
+            << " their own" << exit(FatalError);
+    }
     const recordings& all = truth.bare();
     caseDrawing lots(truth, key["seed"]);
     std::vector<json> cases(n);

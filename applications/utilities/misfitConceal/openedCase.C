@@ -8,7 +8,6 @@
 #include "stringOps.H"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace
@@ -33,7 +32,7 @@ struct detectability
     const stacked& data;
 
 
-    //- From the recordings of any of these cases: only their times count
+    //- From the recordings of any of these cases: their times and repeats count
     detectability(concealedSide& library, const fileName& caseFolder)
     :
         recorded(library.recorded(caseFolder)),
@@ -42,21 +41,6 @@ struct detectability
         visible(misfit::visible(ask, set)),
         data(ask.data().first().calibration)
     {}
-
-
-    //- Norm of what is common to effects, a column for each recording, over what is
-    //  uncertain. Its square is the mean product of two different ones, which chance does
-    //  not raise; of one alone its own
-    static scalar SNR(const mat& effects, const mat& uncertain)
-    {
-        const mat white = whitener(uncertain)(effects);
-        const scalar n = effects.cols();
-        const scalar all = white.rowwise().sum().squaredNorm();
-        return std::sqrt
-        (
-            n < 2 ? all : max((all - white.squaredNorm())/(n*(n - 1)), 0.0)
-        );
-    }
 
 
     //- Where and when what calibration leaves of an effect is beyond so many standard
@@ -210,15 +194,15 @@ openedCase opened
     c.right = isRight(c);
 
     mat effects(detect.data.size(), 0);
-    for (const json& effect : key["effects"])
+    for (const json& effect : key.at("effects"))
     {
         appendColumn(effects, sampled(effect, detect));
     }
-    c.noiseSNR = detect.SNR(effects, detect.visible.sensors);
-    c.SNR = detect.SNR(effects, detect.visible.calibrated);
+    const whitener sensors(detect.visible.sensors);
+    c.noiseSNR = sensors.normInCommon(effects);
+    c.SNR = whitener(detect.visible.calibrated).normInCommon(effects);
     const json& named = c.proof["effect"];
-    const scalar size =
-        named.empty() ? 0 : detect.SNR(vecOf(listOf(named)), detect.visible.sensors);
+    const scalar size = named.empty() ? 0 : sensors(vecOf(listOf(named))).norm();
     if (size > 0 && c.noiseSNR > 0)
     {
         c.sizeOff = 100*mag(size/c.noiseSNR - 1);

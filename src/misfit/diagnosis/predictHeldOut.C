@@ -63,25 +63,25 @@ bool addNumerics(study& s, const observed& other, covariance& known)
     const label replicates = s.set.replicates;
     const List<runState> states(uncertaintyRuns(s, other.experiment));
     const List<samples> given(s.run(states));
-    bool confirms = true;
+    bool confirms = given.first().ok();
     forAll(given, i)
     {
         if (!given[i].ok())
         {
             s.leaveOut(states[i], given[i].failure);
-            confirms = confirms && i > 0 && i < replicates;
         }
     }
-    auto runs = byResolution(states, given, purpose::validation);
-    const mat repeats(runs["base"]);
-    runs.erase("base");
-    for (const auto& [name, finer] : runs)
+    const purpose held = purpose::validation;
+    const mat repeats(samplesOf("base", states, given, held));
+    for (const word& name : s.set.resolutions)
     {
-        if (given.first().ok())
+        const mat changes(changesBy(name, states, given, held));
+        confirms = confirms && changes.cols();
+        if (changes.cols())
         {
             known.addResolution
             (
-                name, finer, repeats, s.set.chaotic && repeats.cols() > 1
+                name, changes, repeats, s.set.chaotic && repeats.cols() > 1
             );
         }
     }

@@ -43,16 +43,6 @@ void checkFailure
     const string& why
 )
 {
-    if (run >= s.set.replicates)
-    {
-        const word& name = state.resolution;
-        FatalErrorInFunction
-            << "The run with other " << name << " failed: "
-            << why.c_str() << nl << "Without it what numerics"
-            << " change would be taken for physics. Mend resolution/" << name
-            << " in system/misfitDict, or take it out. Finished runs are"
-            << " kept" << exit(FatalError);
-    }
     if (run < s.set.commonRandomNumbers)
     {
         FatalErrorInFunction
@@ -81,12 +71,41 @@ void checkSpread(const label replicates, const label ran)
 }
 
 
+//- Stop where no run with another resolution ended
+void checkAny
+(
+    const word& resolution,
+    const List<runState>& states,
+    const List<samples>& given,
+    const mat& changes
+)
+{
+    if (changes.cols())
+    {
+        return;
+    }
+    string why;
+    forAll(states, i)
+    {
+        if (states[i].resolution == resolution && why.empty())
+        {
+            why = given[i].failure;
+        }
+    }
+    FatalErrorInFunction
+        << "The run with other " << resolution << " failed: " << why.c_str() << nl
+        << "Without it what numerics change would be taken for physics. Mend resolution/"
+        << resolution << " in system/misfitDict, or take it out. Finished runs are kept"
+        << exit(FatalError);
+}
+
+
 //- Stop where another resolution changes nothing
 void checkChanges
 (
     const word& resolution,
-    const vec& calibration,
-    const vec& validation
+    const mat& calibration,
+    const mat& validation
 )
 {
     if (calibration.isZero(0) && validation.isZero(0))
@@ -169,19 +188,42 @@ Foam::List<Foam::misfit::runState> Foam::misfit::uncertaintyRuns
 }
 
 
-std::map<Foam::word, Foam::misfit::mat> Foam::misfit::byResolution
+Foam::misfit::mat Foam::misfit::samplesOf
 (
+    const word& resolution,
     const List<runState>& states,
     const List<samples>& given,
     const purpose use
 )
 {
-    std::map<word, mat> all;
+    mat all;
     forAll(states, i)
     {
-        if (given[i].ok())
+        if (states[i].resolution == resolution && given[i].ok())
         {
-            appendColumn(all[states[i].resolution], given[i].of(use));
+            appendColumn(all, given[i].of(use));
+        }
+    }
+    return all;
+}
+
+
+Foam::misfit::mat Foam::misfit::changesBy
+(
+    const word& resolution,
+    const List<runState>& states,
+    const List<samples>& given,
+    const purpose use
+)
+{
+    mat all;
+    forAll(states, i)
+    {
+        // The replicates without it are the first runs, in their order
+        const samples& base = given[states[i].replicate];
+        if (states[i].resolution == resolution && given[i].ok() && base.ok())
+        {
+            appendColumn(all, given[i].of(use) - base.of(use));
         }
     }
     return all;
@@ -202,23 +244,25 @@ void Foam::misfit::addUncertainty(study& s)
             checkFailure(s, i, states[i], given[i].failure);
         }
     }
-    auto calibration = byResolution(states, given, purpose::calibration);
-    auto validation = byResolution(states, given, purpose::validation);
-    const mat& repeats = calibration["base"];
-    const mat& validated = validation["base"];
+    const purpose fitted = purpose::calibration;
+    const purpose held = purpose::validation;
+    const mat repeats(samplesOf("base", states, given, fitted));
     checkSpread(set.replicates, repeats.cols());
-    checkReplicates(repeats, validated);
-    s.calibration.addRepeats(repeats, set.commonRandomNumbers);
-    s.validation.addRepeats(validated, set.commonRandomNumbers);
     for (const word& name : set.resolutions)
     {
-        const mat& other = calibration[name];
-        const mat& validatedOther = validation[name];
-        checkChanges
+        const mat changes(changesBy(name, states, given, fitted));
+        const mat heldChanges(changesBy(name, states, given, held));
+        checkAny(name, states, given, changes);
+        checkChanges(name, changes, heldChanges);
+        checkReplicates
         (
-            name, other.col(0) - repeats.col(0), validatedOther.col(0) - validated.col(0)
+            samplesOf(name, states, given, fitted), samplesOf(name, states, given, held)
         );
-        s.calibration.addResolution(name, other);
-        s.validation.addResolution(name, validatedOther);
+        s.calibration.addResolution(name, changes);
+        s.validation.addResolution(name, heldChanges);
     }
+    const mat heldRepeats(samplesOf("base", states, given, held));
+    checkReplicates(repeats, heldRepeats);
+    s.calibration.addRepeats(repeats, set.commonRandomNumbers);
+    s.validation.addRepeats(heldRepeats, set.commonRandomNumbers);
 }

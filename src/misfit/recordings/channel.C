@@ -24,43 +24,6 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
-//- To the millisecond and millimetre, also of a logger that counts from 1970
-string written(const scalar x)
-{
-    OStringStream os;
-    os.precision(13);
-    os << x;
-    return os.str();
-}
-
-
-//- Keeps what lies in the interval that counts
-void cut(channel& c, const dictionary& dict)
-{
-    series kept;
-    forAll(c.recorded.x, i)
-    {
-        const scalar x = c.recorded.x[i];
-        if (x >= c.interval.first() && x <= c.interval.second())
-        {
-            kept.x.append(x);
-            kept.y.append(c.recorded.y[i]);
-        }
-    }
-
-    if (kept.x.size() < 3)
-    {
-        FatalIOErrorInFunction(dict)
-            << "The channel " << c.name << " has " << kept.x.size()
-            << " readings in the interval " << c.interval << "; it needs three."
-            << " The file covers " << written(c.recorded.x.first()).c_str() << " to "
-            << written(c.recorded.x.last()).c_str()
-            << ". If it counts from elsewhere: xOffset" << exit(FatalIOError);
-    }
-    c.recorded = kept;
-}
-
-
 //- Divides what was recorded into about n samples
 void takeSamples(channel& c, const label n)
 {
@@ -106,8 +69,9 @@ void takeSamples(channel& c, const label n)
 //  memory there
 void estimateNoise(channel& c, const bool memoryGiven)
 {
-    const scalarList& x = c.recorded.x;
-    const scalarList& y = c.recorded.y;
+    // Of one recording: a mean has less noise, and between readings less again
+    const scalarList& x = c.files[0].readings.x;
+    const scalarList& y = c.files[0].readings.y;
     const scalar range = minMax(y).span();
 
     // Quiet: until it first leaves a band of 5 % of the range
@@ -135,8 +99,7 @@ void estimateNoise(channel& c, const bool memoryGiven)
         neighbours += i ? (y[i] - mean)*(y[i-1] - mean)/quiet : 0;
     }
 
-    c.samples.uncertainty =
-        max(c.samples.uncertainty, Foam::sqrt(c.samples.repeats*variance));
+    c.samples.uncertainty = max(c.samples.uncertainty, Foam::sqrt(variance));
 
     // A neighbour that is alike by less than chance would make it: white
     const scalar alike = variance > 0 ? neighbours/variance : 0;
@@ -191,8 +154,7 @@ Foam::misfit::channel::channel
         {
             "experiment", "quantity", "recorder", "at", "place", "uncertainty", "memory",
             "gainUncertainty", "zeroUncertainty", "value", "file", "repeats", "column",
-            "xColumn",
-            "unit", "scale", "offset", "xUnit", "xScale", "xOffset",
+            "xColumn", "unit", "scale", "offset", "xUnit", "xScale", "xOffset",
             "duplicates", "missing", "interval", "simulated"
         }
     );
@@ -233,11 +195,16 @@ Foam::misfit::channel::channel
     }
     else if (dict.found("file"))
     {
-        readFile(dict, folder);
-        cut(*this, dict);
+        readFiles(dict, folder);
         takeSamples(*this, nSamples);
         estimateNoise(*this, dict.found("memory"));
         doubtUncertainty(*this);
+    }
+    else if (dict.found("repeats"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "The channel " << name << " has repeats of no recording: give its first one"
+            << " as file" << exit(FatalIOError);
     }
 }
 

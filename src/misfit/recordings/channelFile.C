@@ -235,12 +235,12 @@ series inOrder
 } // End anonymous namespace
 
 
-Foam::misfit::series Foam::misfit::channel::readOne
+Foam::misfit::recordedFile Foam::misfit::channel::readFile
 (
     const dictionary& dict,
     const fileName& folder,
     const string& fileGiven
-)
+) const
 {
     const fileName given(expanded(dict, fileGiven));
     const fileName file(given.isAbsolute() ? given : folder/given);
@@ -260,55 +260,17 @@ Foam::misfit::series Foam::misfit::channel::readOne
     series all;
     all.x = readColumn(dict, table, xColumn, overTime() ? "time" : "length", "x");
     all.y = readColumn(dict, table, yColumn, samples.quantity, "");
-    source += (source.empty() ? "" : ", ") + table.file + ':' + table.names[yColumn];
-    return inOrder(dict, table, all);
-}
-
-
-void Foam::misfit::channel::readFile(const dictionary& dict, const fileName& folder)
-{
-    const series first(readOne(dict, folder, dict.get<string>("file")));
-    recorded = first;
-    List<series> all(1, first);
-    const stringList repeats(dict.getOrDefault("repeats", stringList()));
-    samples.repeats += repeats.size();
-    for (const string& file : repeats)
-    {
-        const series again(readOne(dict, folder, file));
-        const auto isAgain = [&](const series& s) { return s.x == again.x && s.y == again.y; };
-        if (std::any_of(all.begin(), all.end(), isAgain))
-        {
-            FatalIOErrorInFunction(dict)
-                << "The channel " << name << " has the same numbers in " << file
-                << " and in a file before it: a repeat is the experiment done again, not a"
-                << " copy" << exit(FatalIOError);
-        }
-        all.append(again);
-        const scalar from = max(interval.first(), first.x.first());
-        const scalar to = min(interval.second(), first.x.last());
-        if (again.x.first() > from || again.x.last() < to)
-        {
-            FatalIOErrorInFunction(dict)
-                << "The channel " << name << " counts from " << from << " to " << to
-                << ", but its repeat " << file << " covers " << again.x.first() << " to "
-                << again.x.last() << ": give an interval that all of them cover"
-                << exit(FatalIOError);
-        }
-        forAll(recorded.x, i)
-        {
-            recorded.y[i] += (again(recorded.x[i]) - first.y[i])/samples.repeats;
-        }
-    }
+    return {table.file + ':' + table.names[yColumn], inOrder(dict, table, all)};
 }
 
 
 void Foam::misfit::channel::readValue(const dictionary& dict)
 {
-    if (dict.found("file") || !dict.found("unit"))
+    if (dict.found("file") || dict.found("repeats") || !dict.found("unit"))
     {
         FatalIOErrorInFunction(dict)
             << "The channel " << name << " has a value, a number alone. It"
-            << " needs its unit and no file. Units of " << samples.quantity.c_str() << ":"
+            << " needs its unit, no file and no repeats. Units of " << samples.quantity.c_str() << ":"
             << keywords::listed(unitsOf(*findQuantity(samples.quantity))).c_str()
             << exit(FatalIOError);
     }
@@ -320,5 +282,5 @@ void Foam::misfit::channel::readValue(const dictionary& dict)
         ).size;
     recorded.x = scalarList(1, scalar(0));
     recorded.y = scalarList(1, size*dict.get<scalar>("value"));
-    source = "the value of " + name;
+    files = List<recordedFile>(1, {"the value of " + name, recorded});
 }

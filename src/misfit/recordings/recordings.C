@@ -21,22 +21,15 @@ HashTable<word> formerUses()
 }
 
 
-//- How much of what two channels recorded is the same, as the verb of a sentence;
-//  empty: nothing
-string sharedNumbers(const misfit::channel& a, const misfit::channel& b)
+//- How much of what two files have is the same, as the verb of a sentence; empty:
+//  nothing
+string sharedNumbers(const misfit::recordedFile& a, const misfit::recordedFile& b)
 {
-    if (!a.isRecorded() || !b.isRecorded())
-    {
-        return "";
-    }
-    const misfit::series& of = a.recorded;
-    const misfit::series& with = b.recorded;
+    const misfit::series& of = a.readings;
+    const misfit::series& with = b.readings;
 
-    // By their numbers: the same file may have another name, or be a copy. Two
-    // gauges that stay dry show the same
-    const bool varies =
-        std::count(of.y.cbegin(), of.y.cend(), of.y.first()) < of.y.size();
-    if (varies && of.x == with.x && of.y == with.y)
+    // By their numbers: the same file may have another name, or be a copy
+    if (of.isCopyOf(with))
     {
         return " are";
     }
@@ -44,6 +37,24 @@ string sharedNumbers(const misfit::channel& a, const misfit::channel& b)
         a.source == b.source
      && of.x.first() < with.x.last() && with.x.first() < of.x.last();
     return overlap ? " have some of" : "";
+}
+
+
+//- The same of any files of two channels, with their names; empty: nothing
+string sharedNumbers(const misfit::channel& a, const misfit::channel& b)
+{
+    for (const misfit::recordedFile& of : a.files)
+    {
+        for (const misfit::recordedFile& with : b.files)
+        {
+            const string shared(sharedNumbers(of, with));
+            if (shared.size())
+            {
+                return shared + " the same numbers, " + with.source + " and " + of.source;
+            }
+        }
+    }
+    return "";
 }
 
 } // End anonymous namespace
@@ -136,7 +147,6 @@ void Foam::misfit::recordings::checkOnce(const dictionary& dict) const
             const string message
             (
                 "The channels " + b.name + " and " + a.name + shared
-              + " the same numbers, " + b.source + " and " + a.source
             );
             if (a.use == purpose::calibration && b.use == purpose::calibration)
             {

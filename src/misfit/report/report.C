@@ -29,15 +29,23 @@ stringList experimentRow(const recordings& all, const word& name)
     {
         if (c.experiment == name && c.isRecorded())
         {
-            add(row[1 + label(c.use)], c.name);
-            const size_t end = c.source.rfind(':');
-            const fileName file
+            const string times
             (
-                end == std::string::npos ? string() : c.source.substr(0, end)
+                c.files.size() > 1
+              ? " (mean of " + Foam::name(c.files.size()) + ")" : string()
             );
-            if (file.size() && files.insert(file.name()))
+            add(row[1 + label(c.use)], c.name + times);
+            for (const recordedFile& f : c.files)
             {
-                add(row[4], file.name());
+                const size_t end = f.source.rfind(':');
+                const fileName file
+                (
+                    end == std::string::npos ? string() : f.source.substr(0, end)
+                );
+                if (file.size() && files.insert(file.name()))
+                {
+                    add(row[4], file.name());
+                }
             }
         }
     }

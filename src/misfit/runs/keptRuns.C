@@ -219,6 +219,7 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::keptRuns::grown
     string text(isFile(file, false) ? contentOf(file) : head + '\n');
     const clockTime timer;
     mkDir(file.path());
+    stringList stopped;
     for (label first = 0; first < end; first += batch)
     {
         Info<< file.name() << " has " << found(runs).size() << " of " << states.size()
@@ -234,27 +235,27 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::keptRuns::grown
         const labelList some(SubList<label>(todo, min(batch, end - first), first));
         const List<runState> asked(UIndirectList<runState>(states, some));
         const List<prediction> more(ask.predict(asked));
-        string stopped;
         forAll(some, i)
         {
             const string& name = names[some[i]];
             if (ask.wasStopped(asked[i]))
             {
-                stopped = name;
+                stopped.append(name);
                 continue;
             }
             runs.set(name, reduced(more[i], step));
             text += lines(some[i], runs[name]);
         }
         writeWhole(file, text);
-        if (stopped.size())
-        {
-            FatalErrorInFunction
-                << "A run was killed by somebody else, perhaps by a machine without room,"
-                << " or took longer than timeLimit, perhaps beside others: "
-                << stopped.c_str() << ". Start this again, where need be with a longer"
-                << " timeLimit: " << file << " has those that ended" << exit(FatalError);
-        }
+    }
+    if (stopped.size())
+    {
+        FatalErrorInFunction
+            << stopped.size() << " runs have no end, the first of them "
+            << stopped[0].c_str() << ": they were killed by somebody else, perhaps by a"
+            << " machine without room, or took longer than timeLimit, perhaps beside"
+            << " others. Start this again, with a longer timeLimit where it was that: "
+            << file << " has those that ended" << exit(FatalError);
     }
     const List<prediction> those(found(runs));
     Info<< file.name() << " has " << those.size() << " of " << states.size() << " runs"
