@@ -26,7 +26,23 @@ Foam::labelList Foam::flumeSettings::patches
             << exit(FatalIOError);
     }
 
-    return all.patchSet(chosen).sortedToc();
+    const labelList patches(all.patchSet(chosen).sortedToc());
+    label faces = 0;
+    wordList names;
+    for (const label patchi : patches)
+    {
+        faces += all[patchi].size();
+        names.append(all[patchi].name());
+    }
+    if (!returnReduce(faces, sumOp<label>()))
+    {
+        FatalIOErrorInFunction(dict)
+            << "patches in " << dict.name() << " is" << keywords::listed(names).c_str()
+            << ", which have no face." << nl
+            << "    Is a barrier beyond the mesh, or its box in system/topoSetDict between"
+            << " faces?" << exit(FatalIOError);
+    }
+    return patches;
 }
 
 
