@@ -138,7 +138,7 @@ TEST(misfitKeptRuns, halfARunIsNotTakenForAWholeOne)
     for (auto size = text.size() - 1; size > second; --size)
     {
         writeWhole(runs.kept.file, text.substr(0, size));
-        expectSays(refusal([&]() { runs.kept.read(); }), "ends within a ");
+        expectSays(refusal([&]() { runs.kept.read(); }), "ends within a run");
     }
     writeWhole(runs.kept.file, text.substr(0, second));
     EXPECT_EQ(runs.kept.read().size(), 1);

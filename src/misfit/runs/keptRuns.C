@@ -11,6 +11,7 @@
 #include "IndirectList.H"
 #include "SubList.H"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -158,7 +159,7 @@ Foam::misfit::keptRuns::table Foam::misfit::keptRuns::read() const
         if (any && is.eof())
         {
             // Without its end it may have lost values
-            stop("ends within a line");
+            stop("ends within a run");
         }
         return any;
     };
@@ -222,8 +223,12 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::keptRuns::grown
     stringList stopped;
     for (label first = 0; first < end; first += batch)
     {
-        Info<< file.name() << " has " << found(runs).size() << " of " << states.size()
-            << " runs";
+        const label here =
+            std::count_if(names.begin(), names.end(), [&](const string& name)
+            {
+                return runs.found(name);
+            });
+        Info<< file.name() << " has " << here << " of " << states.size() << " runs";
         if (first)
         {
             const scalar each = timer.elapsedTime()/first;
