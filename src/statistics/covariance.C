@@ -185,7 +185,7 @@ statistics::covariance::covariance(const stacked& data, const double clockUncert
 
 // * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
 
-void statistics::covariance::addSpread
+statistics::mat statistics::covariance::addSpread
 (
     const std::string& source,
     const mat& deviations,
@@ -196,7 +196,7 @@ void statistics::covariance::addSpread
     const int n = deviations.cols();
     if (n < 2 || deviations.squaredNorm() <= 0)
     {
-        return;
+        return mat::Zero(data_.size(), data_.size());
     }
     const vec scale = variance(deviations).cwiseSqrt().cwiseMax(tiny);
     const mat z = scale.cwiseInverse().asDiagonal()*deviations;
@@ -217,6 +217,7 @@ void statistics::covariance::addSpread
         scale.asDiagonal()
        *(shrinkage_*target + (1 - shrinkage_)*sample)*scale.asDiagonal();
     add(source, ofRecording*one.cwiseProduct(ofRecordings()) + ofSimulation*one);
+    return one;
 }
 
 

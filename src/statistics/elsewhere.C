@@ -88,6 +88,7 @@ double statistics::chanceOfDegradation
 (
     const sampledModel& fitted,
     const sampledModel& heldOut,
+    const scored& nothing,
     const scored& best,
     const vec& before,
     const vec& after
@@ -100,8 +101,22 @@ double statistics::chanceOfDegradation
     const vec left = white(vec(heldOut.data().y - after));
     const mat half = white(predictionErrors(fitted, heldOut, best));
     const mat errors = white(mat(half.transpose()));
-    const double deviation =
-        std::sqrt(effect.squaredNorm() + effect.dot(errors*effect));
-    return
-        0.5*std::erfc(-left.dot(effect)/std::max(deviation, tiny)/std::sqrt(2.0));
+
+    // What chaos in the runs adds to the effect is missing from what is left: against
+    // each other by its variance, for nothing
+    const mat halfOfChance = white
+    (
+        heldOut.chanceBetween
+        (
+            fitted.model(nothing.what).expand(nothing.best.x),
+            fitted.model(best.what).expand(best.best.x)
+        )
+    );
+    const mat chance = white(mat(halfOfChance.transpose()));
+    const double deviation = std::sqrt
+    (
+        effect.squaredNorm() + effect.dot(errors*effect) + 2*chance.squaredNorm()
+    );
+    const double along = left.dot(effect) + chance.trace();
+    return 0.5*std::erfc(-along/std::max(deviation, tiny)/std::sqrt(2.0));
 }

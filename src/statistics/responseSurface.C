@@ -96,6 +96,9 @@ statistics::mat statistics::responseSurface::fit(const mat& design, const mat& s
     coefficients_ = qr.solve(samples.transpose());
     const mat q = qr.householderQ()*mat::Identity(design.rows(), design.cols());
     leverage_ = q.rowwise().squaredNorm();
+    const int n = design.cols();
+    spread_ = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>()
+        .solve(mat::Identity(n, n));
     const vec rest = (1 - leverage_.array()).max(small);
     const mat errors = samples - coefficients_.transpose()*design.transpose();
     return errors.array().rowwise()/rest.transpose().array();
@@ -186,6 +189,15 @@ statistics::mat statistics::responseSurface::slopes(const vec& x) const
     return
         coefficients_.transpose()*inTerms
       + tilt_*mat(width_.cwiseInverse().asDiagonal());
+}
+
+
+double statistics::responseSurface::chanceBetween(const vec& a, const vec& b) const
+{
+    mat z(centre_.size(), 2);
+    z << (a - centre_).cwiseQuotient(width_), (b - centre_).cwiseQuotient(width_);
+    const mat terms = design(z);
+    return ((terms.row(1) - terms.row(0))*spread_).squaredNorm();
 }
 
 

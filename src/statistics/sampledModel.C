@@ -60,9 +60,13 @@ void statistics::sampledModel::build()
         variables_, samples_, bounds_.mean, bounds_.width, std::vector<bool>(), chance
     );
     covariance_ = covariance(data_, clockUncertainty_);
+    chance_ = mat::Zero(size(), size());
     if (chaotic)
     {
-        covariance_.addSpread("chaos", chaos(), 1, surface_->leverage().mean());
+        chance_ = covariance_.addSpread
+        (
+            "chaos", chaos(), 1, surface_->leverage().mean()
+        );
     }
     else
     {

@@ -61,11 +61,12 @@ gate heldOutGate
 gate degradesHeldOutGate
 (
     const study& s,
-    const scored& best,
+    const finding& f,
     const heldOut& h,
     const label number
 )
 {
+    const scored& best = f.best();
     const bool worse =
         best.what.mechanisms.size() && h.squareAfter > h.squareBefore;
     gate g
@@ -74,7 +75,7 @@ gate degradesHeldOutGate
         worse
       ? statistics::chanceOfDegradation
         (
-            s.calibration, s.validation, best, h.before, h.after
+            s.calibration, s.validation, f.explained.baseline(), best, h.before, h.after
         )
       : 1,
         s.set.significance
@@ -127,7 +128,7 @@ void Foam::misfit::askHeldOut(const study& s, finding& f)
         }
         if (f.held[i].what == heldOut::part::validation)
         {
-            f.gates.add(degradesHeldOutGate(s, f.best(), f.held[i], i));
+            f.gates.add(degradesHeldOutGate(s, f, f.held[i], i));
         }
     }
 }
