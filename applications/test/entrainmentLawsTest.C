@@ -229,3 +229,19 @@ TEST(erosionByLaws, errorsAreMeansOfSquares)
     s.depth.clear();
     EXPECT_EQ(erosionByLaws(bed()).of(s)[0].scouringError, -1);
 }
+
+
+TEST(erosionByLaws, stressesThatPullAllTheTimeAreAnErrorWithItsRemedy)
+{
+    sectionSeries s;
+    s.t = scalarList({0.0, 1.0});
+    s.sigma = scalarList({-300.0, -20.0});
+    s.v = scalarList(2, scalar(1));
+
+    const std::string said(refusal([&]() { erosionByLaws(bed()).of(s); }));
+    expectSays(said, "nowhere above zero from 0 to 1 s");
+    expectSays(said, "write factor -1 at normalStress");
+
+    s.sigma[0] = 300;
+    EXPECT_EQ(erosionByLaws(bed()).of(s).size(), 2);
+}

@@ -267,3 +267,78 @@ TEST_F(tank, aRegionFollowsTheSurfaceOfWhatRests)
     EXPECT_NEAR(line[11], 0.06, 0.0051);
     EXPECT_NEAR(line[2], constant::mathematical::pi/6, 0.03);
 }
+
+
+TEST_F(tank, aRegionOrAPointOutsideTheMeshIsAnError)
+{
+    const auto said = [&](const std::string& regions)
+    {
+        return refusal
+        (
+            [&]()
+            {
+                functionObjects::grainStress("stress", box_.time(), dict(regions));
+            }
+        );
+    };
+
+    for
+    (
+        const char* outside
+      : {
+            "spheres (((0.5 0.5 0.5) 0.1) ((0.5 500 0.5) 0.1));",
+            "circles (((50 0.5 0.5) 10));",
+            "boxes (((200 200 200) (300 300 300)));",
+            "spheres (((50 0.5 0) 10)); follow surface;"
+        }
+    )
+    {
+        expectSays(said(outside), "lies outside the mesh");
+    }
+    expectSays(said("spheres (((0.5 0.5 0.5) 0.1) ((0.5 500 0.5) 0.1));"), "Region 1 ");
+
+    // What any place will do for: across the flume, and the height over a surface
+    EXPECT_EQ(said("circles (((0.5 -99 0.5) 0.1));"), "nothing");
+    EXPECT_EQ(said("spheres (((0.5 0.5 -99) 0.1)); follow surface;"), "nothing");
+
+    expectSays
+    (
+        refusal
+        (
+            [&]()
+            {
+                functionObjects::grainTrack
+                (
+                    "track", box_.time(), dict("points ((0.26 0.34 0.02) (26 34 2));")
+                );
+            }
+        ),
+        "Point 1 of"
+    );
+}
+
+
+TEST_F(tank, aTypeThatNoGrainHasIsToldOnceThereAreGrains)
+{
+    grainSnapshot& g = grains_.grains;
+    g = grainSnapshot(0);
+    functionObjects::grainStress stress
+    (
+        "stress",
+        box_.time(),
+        dict("spheres (((0.5 0.5 0.5) 0.1)); types (1 3);")
+    );
+    const auto said = [&]()
+    {
+        ++box_.time();
+        return saidDuring([&]() { stress.write(); });
+    };
+
+    EXPECT_EQ(said(), "");
+
+    placeGrains();
+    g.type = 1;
+    const std::string warning(said());
+    expectSays(warning, "grainStress stress: no grain has a type of 3; those that are there have 1 to 1");
+    EXPECT_EQ(said(), "");
+}

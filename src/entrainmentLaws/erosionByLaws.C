@@ -4,6 +4,7 @@
 #include "erosionByLaws.H"
 
 #include "DynamicList.H"
+#include "scalarField.H"
 
 Foam::erosionByLaws::erosionByLaws(const dictionary& dict)
 :
@@ -55,6 +56,16 @@ Foam::List<Foam::erosionByLaws::erosion> Foam::erosionByLaws::of
 {
     const label n = s.t.size();
     DynamicList<erosion> all;
+
+    if (n && max(s.sigma) <= 0)
+    {
+        FatalErrorInFunction
+            << "The normal stress is nowhere above zero from " << s.t.first() << " to "
+            << s.t.last() << " s: it goes from " << min(s.sigma) << " to "
+            << max(s.sigma) << " Pa, and nothing would be eroded." << nl
+            << "    Pressing has to be positive. Stresses of grainStress are positive in"
+            << " tension: write factor -1 at normalStress." << exit(FatalError);
+    }
 
     erosion Coulomb{"Coulomb", scalarList(n), {}, {}, {}, {}};
     erosion Voellmy{"Voellmy", scalarList(n), {}, {}, {}, {}};

@@ -111,14 +111,52 @@ Foam::functionObjects::flumeFunctionObject::grains() const
 }
 
 
+void Foam::functionObjects::flumeFunctionObject::tellAbsent
+(
+    const grainSnapshot& grains,
+    const labelHashSet& types
+) const
+{
+    labelHashSet unknown(types);
+    unknown -= knownTypes_;
+    const labelList asked(unknown.sortedToc());
+
+    if (asked.empty() || !returnReduce(grains.size(), sumOp<label>()))
+    {
+        return;
+    }
+
+    string absent;
+    for (const label type : asked)
+    {
+        if (!returnReduce(grains.type.found(type), orOp<bool>()))
+        {
+            absent += " " + Foam::name(type);
+        }
+    }
+    knownTypes_.insert(asked);
+
+    if (absent.size())
+    {
+        WarningInFunction
+            << type() << " " << name() << ": no grain has a type of" << absent.c_str()
+            << "; those that are there have " << gMin(grains.type) << " to "
+            << gMax(grains.type) << nl
+            << "    It has left, is yet to come, or types is wrong; until a grain has it,"
+            << " there is nothing to see of it." << endl;
+    }
+}
+
+
 Foam::labelList Foam::functionObjects::flumeFunctionObject::ofTypes
 (
     const grainSnapshot& grains,
     const labelHashSet& types
 ) const
 {
-    DynamicList<label> chosen(grains.size());
+    tellAbsent(grains, types);
 
+    DynamicList<label> chosen(grains.size());
     forAll(grains.type, i)
     {
         if (types.empty() || types.found(grains.type[i]))

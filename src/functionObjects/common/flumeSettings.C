@@ -91,3 +91,22 @@ Foam::Tuple2<Foam::scalar, Foam::scalar> Foam::flumeSettings::range
 
     return result;
 }
+
+
+void Foam::flumeSettings::checkMeets
+(
+    const dictionary& dict,
+    const string& what,
+    const boundBox& region,
+    const boundBox& mesh
+)
+{
+    if (!mesh.overlaps(region))
+    {
+        FatalIOErrorInFunction(dict)
+            << what.c_str() << " of " << dict.name() << " lies outside the mesh." << nl
+            << "    That goes from " << mesh.min() << " to " << mesh.max()
+            << " m (along the flume, across, up). Is the place given in mm?"
+            << exit(FatalIOError);
+    }
+}

@@ -4,6 +4,7 @@
 #include "grainStress.H"
 
 #include "addToRunTimeSelectionTable.H"
+#include "flumeSettings.H"
 #include "keywords.H"
 #include "mathematicalConstants.H"
 #include "movingLayer.H"
@@ -113,6 +114,13 @@ bool Foam::functionObjects::grainStress::read(const dictionary& dict)
                 << " has no volume: give a radius above zero, and for a box the"
                 << " lower corner first." << exit(FatalIOError);
         }
+        flumeSettings::checkMeets
+        (
+            dict,
+            "Region " + Foam::name(i) + " (spheres first, then circles, then boxes)",
+            extent(i),
+            box()
+        );
     }
 
     return true;
@@ -148,6 +156,43 @@ Foam::functionObjects::grainStress::place(const label region) const
         0.5*(b.first() + b.second()),
         0.5*mag((b.second() - b.first()) & frame_.downslope())
     );
+}
+
+
+Foam::boundBox Foam::functionObjects::grainStress::extent
+(
+    const label region
+) const
+{
+    const label i = region - spheres_.size() - circles_.size();
+    boundBox result;
+
+    if (i >= 0)
+    {
+        result = frame_.bounds
+        (
+            boundBox(boxes_[i].first(), boxes_[i].second()).points()()
+        );
+    }
+    else
+    {
+        const point centre(frame_.local(place(region).first()));
+        const vector reach(vector::one*place(region).second());
+        result = boundBox(centre - reach, centre + reach);
+    }
+
+    if (hasDiscs(region))
+    {
+        result.min().y() = -GREAT;
+        result.max().y() = GREAT;
+    }
+    if (follow_)
+    {
+        result.min().z() = -GREAT;
+        result.max().z() = GREAT;
+    }
+
+    return result;
 }
 
 

@@ -6,6 +6,7 @@
 #include "Map.H"
 #include "Tuple2.H"
 #include "addToRunTimeSelectionTable.H"
+#include "flumeSettings.H"
 #include "periodicity.H"
 
 namespace Foam
@@ -103,6 +104,14 @@ bool Foam::functionObjects::grainTrack::read(const dictionary& dict)
     if (given.size())
     {
         ids_ = given;
+    }
+    forAll(points_, k)
+    {
+        const point p(frame_.local(points_[k]));
+        flumeSettings::checkMeets
+        (
+            dict, "Point " + Foam::name(k), boundBox(p, p), box()
+        );
     }
 
     return true;

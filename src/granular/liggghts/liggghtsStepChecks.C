@@ -17,9 +17,17 @@ namespace
 {
     using namespace Foam;
 
-    //- Shortest Rayleigh time of the grains that are there and of those that
-    //  the script may insert [s]; GREAT for none
-    scalar shortestRayleighTime
+    //- Of the grains that are there and of those that the script may insert
+    struct extremes
+    {
+        //- Shortest Rayleigh time [s]; GREAT for no grains
+        scalar rayleighTime = GREAT;
+
+        //- Least density [kg/m3]; GREAT for no grains
+        scalar density = GREAT;
+    };
+
+    extremes extremesOf
     (
         liggghtsInstance& liggghts,
         LAMMPS_NS::Fix& young,
@@ -28,13 +36,14 @@ namespace
     {
         const LAMMPS_NS::Atom& atom = *liggghts->atom;
         const LAMMPS_NS::Modify& modify = *liggghts->modify;
-        scalar shortest = GREAT;
+        extremes found;
 
         const auto look = [&](scalar radius, scalar density, label type)
         {
-            shortest = min
+            found.density = min(found.density, density);
+            found.rayleighTime = min
             (
-                shortest,
+                found.rayleighTime,
                 liggghtsChecks::rayleighTime
                 (
                     radius,
@@ -66,7 +75,9 @@ namespace
             }
         }
 
-        return returnReduce(shortest, minOp<scalar>());
+        reduce(found.rayleighTime, minOp<scalar>());
+        reduce(found.density, minOp<scalar>());
+        return found;
     }
 }
 
@@ -125,7 +136,15 @@ void Foam::liggghtsChecks::timeStep
         return;
     }
 
-    const scalar shortest = shortestRayleighTime(liggghts, *young, *poisson);
+    const extremes found(extremesOf(liggghts, *young, *poisson));
+    const scalar shortest = found.rayleighTime;
+    const string units
+    (
+        found.density < 100
+      ? "\n    A density is " + Foam::name(found.density)
+          + " kg/m3: was it given in g/cm3?"
+      : ""
+    );
 
     const scalar fraction = update.dt/shortest;
 
@@ -136,7 +155,7 @@ void Foam::liggghtsChecks::timeStep
             << fraction << " times the Rayleigh time of " << shortest
             << " s: contacts would be stepped over." << nl
             << "    Set timestep to at most " << 0.2*shortest
-            << " s, or lower Young's modulus." << exit(FatalError);
+            << " s, or lower Young's modulus." << units.c_str() << exit(FatalError);
     }
 
     Info<< "    DEM step " << update.dt << " s = " << 100*fraction
@@ -150,6 +169,6 @@ void Foam::liggghtsChecks::timeStep
             << "The DEM step is " << 100*fraction << " % of the Rayleigh time:"
             << " beds may creep, and erode several times too deep." << nl
             << "    Set timestep to at most " << 0.2*shortest << " s, 20 %"
-            << endl;
+            << units.c_str() << endl;
     }
 }
