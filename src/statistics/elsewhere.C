@@ -88,10 +88,10 @@ double statistics::chanceOfDegradation
 (
     const sampledModel& fitted,
     const sampledModel& heldOut,
-    const scored& nothing,
     const scored& best,
     const vec& before,
-    const vec& after
+    const vec& after,
+    const double shared
 )
 {
     // Given the effect that it predicts, what a right prediction leaves has the mean
@@ -99,24 +99,20 @@ double statistics::chanceOfDegradation
     const whitener white(heldOut.uncertainty().at(after));
     const vec effect = white(vec(after - before));
     const vec left = white(vec(heldOut.data().y - after));
-    const mat half = white(predictionErrors(fitted, heldOut, best));
-    const mat errors = white(mat(half.transpose()));
+    const auto whitened = [&white](const mat& covariance)
+    {
+        const mat half = white(covariance);
+        return mat(white(mat(half.transpose())));
+    };
+    const mat errors = whitened(predictionErrors(fitted, heldOut, best));
 
-    // What chaos in the runs adds to the effect is missing from what is left: against
-    // each other by its variance, for nothing
-    const mat halfOfChance = white
-    (
-        heldOut.chanceBetween
-        (
-            fitted.model(nothing.what).expand(nothing.best.x),
-            fitted.model(best.what).expand(best.best.x)
-        )
-    );
-    const mat chance = white(mat(halfOfChance.transpose()));
+    // What chaos adds to the prediction is missing from what is left, and is in the effect
+    // as far as both share it: they contradict each other by that, for nothing
+    const mat chaos = shared*whitened(heldOut.chaosOfRun());
     const double deviation = std::sqrt
     (
-        effect.squaredNorm() + effect.dot(errors*effect) + 2*chance.squaredNorm()
+        effect.squaredNorm() + effect.dot(errors*effect) + chaos.squaredNorm()
     );
-    const double along = left.dot(effect) + chance.trace();
+    const double along = left.dot(effect) + chaos.trace();
     return 0.5*std::erfc(-along/std::max(deviation, tiny)/std::sqrt(2.0));
 }

@@ -192,12 +192,12 @@ statistics::mat statistics::responseSurface::slopes(const vec& x) const
 }
 
 
-double statistics::responseSurface::chanceBetween(const vec& a, const vec& b) const
+double statistics::responseSurface::chanceShared(const vec& at, const vec& other) const
 {
     mat z(centre_.size(), 2);
-    z << (a - centre_).cwiseQuotient(width_), (b - centre_).cwiseQuotient(width_);
-    const mat terms = design(z);
-    return ((terms.row(1) - terms.row(0))*spread_).squaredNorm();
+    z << (at - centre_).cwiseQuotient(width_), (other - centre_).cwiseQuotient(width_);
+    const mat chance = design(z)*spread_;
+    return chance.row(0).dot(chance.row(0) - chance.row(1));
 }
 
 

@@ -60,10 +60,10 @@ void statistics::sampledModel::build()
         variables_, samples_, bounds_.mean, bounds_.width, std::vector<bool>(), chance
     );
     covariance_ = covariance(data_, clockUncertainty_);
-    chance_ = mat::Zero(size(), size());
+    chaosOfRun_ = mat::Zero(size(), size());
     if (chaotic)
     {
-        chance_ = covariance_.addSpread
+        chaosOfRun_ = covariance_.addSpread
         (
             "chaos", chaos(), 1, surface_->leverage().mean()
         );

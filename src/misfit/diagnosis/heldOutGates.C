@@ -57,6 +57,22 @@ gate heldOutGate
 }
 
 
+//- Covariance that chaos gives what the best predicts and what that is more than what
+//  nothing does, over the variance of a run: of values of the surface, or of two runs
+scalar sharedChaos(const study& s, const finding& f)
+{
+    if (s.ask.trainingEnsemble().empty())
+    {
+        return 1.0/s.set.commonRandomNumbers;
+    }
+    const explanations& all = f.explained;
+    return s.validation.surface().chanceShared
+    (
+        all.lookUp(s, f.best()).variables, all.lookUp(s, all.baseline()).variables
+    );
+}
+
+
 //- Only where the best makes held-out channels worse
 gate degradesHeldOutGate
 (
@@ -75,7 +91,7 @@ gate degradesHeldOutGate
         worse
       ? statistics::chanceOfDegradation
         (
-            s.calibration, s.validation, f.explained.baseline(), best, h.before, h.after
+            s.calibration, s.validation, best, h.before, h.after, sharedChaos(s, f)
         )
       : 1,
         s.set.significance
