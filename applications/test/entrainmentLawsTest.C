@@ -242,6 +242,9 @@ TEST(erosionByLaws, stressesThatPullAllTheTimeAreAnErrorWithItsRemedy)
     expectSays(said, "nowhere above zero from 0 to 1 s");
     expectSays(said, "write factor -1 at normalStress");
 
+    // Nothing there yet is no mistake
+    s.sigma = scalarList(2, Zero);
+    EXPECT_EQ(erosionByLaws(bed()).of(s)[0].byScouring.last(), 0);
     s.sigma[0] = 300;
     EXPECT_EQ(erosionByLaws(bed()).of(s).size(), 2);
 }

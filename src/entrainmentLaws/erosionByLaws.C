@@ -57,7 +57,7 @@ Foam::List<Foam::erosionByLaws::erosion> Foam::erosionByLaws::of
     const label n = s.t.size();
     DynamicList<erosion> all;
 
-    if (n && max(s.sigma) <= 0)
+    if (n && max(s.sigma) <= 0 && min(s.sigma) < 0)
     {
         FatalErrorInFunction
             << "The normal stress is nowhere above zero from " << s.t.first() << " to "

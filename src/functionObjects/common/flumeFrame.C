@@ -44,3 +44,14 @@ Foam::boundBox Foam::flumeFrame::bounds(const UList<vector>& points) const
 
     return box;
 }
+
+
+Foam::List<Foam::vector> Foam::flumeFrame::components(const UList<vector>& v) const
+{
+    List<vector> all(v.size());
+    forAll(v, i)
+    {
+        all[i] = components(v[i]);
+    }
+    return all;
+}

@@ -63,6 +63,7 @@ bool Foam::functionObjects::flumeFunctionObject::read(const dictionary& dict)
     compatibility::writeFile::read(dict);
 
     frame_ = flumeFrame(dict);
+    box_.clear();
     alphaName_ = dict.lookupOrDefault<word>("alpha", "alpha.water");
     voidFractionName_ =
         dict.lookupOrDefault<word>("voidFraction", "voidFraction");

@@ -105,6 +105,7 @@ bool Foam::functionObjects::grainStress::read(const dictionary& dict)
             << " boxes ( ((x y z) (x y z)) ... ), in m." << exit(FatalIOError);
     }
 
+    const List<vector> shifts(frame_.components(shifts_));
     for (label i = 0; i < nRegions(); ++i)
     {
         if (volume(i) <= 0)
@@ -118,7 +119,8 @@ bool Foam::functionObjects::grainStress::read(const dictionary& dict)
         (
             dict,
             "Region " + Foam::name(i) + " (spheres first, then circles, then boxes)",
-            extent(i),
+            boxOf(i),
+            shifts,
             box()
         );
     }
@@ -159,7 +161,7 @@ Foam::functionObjects::grainStress::place(const label region) const
 }
 
 
-Foam::boundBox Foam::functionObjects::grainStress::extent
+Foam::boundBox Foam::functionObjects::grainStress::boxOf
 (
     const label region
 ) const

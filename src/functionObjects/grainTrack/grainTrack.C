@@ -105,12 +105,13 @@ bool Foam::functionObjects::grainTrack::read(const dictionary& dict)
     {
         ids_ = given;
     }
+    const List<vector> shifts(frame_.components(periodicity(mesh_).shifts()));
     forAll(points_, k)
     {
         const point p(frame_.local(points_[k]));
         flumeSettings::checkMeets
         (
-            dict, "Point " + Foam::name(k), boundBox(p, p), box()
+            dict, "Point " + Foam::name(k), boundBox(p, p), shifts, box()
         );
     }
 
