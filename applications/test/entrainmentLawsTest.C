@@ -231,15 +231,15 @@ TEST(erosionByLaws, errorsAreMeansOfSquares)
 }
 
 
-TEST(erosionByLaws, stressesThatPullAllTheTimeAreAnErrorWithItsRemedy)
+TEST(erosionByLaws, stressesThatPullInTheMeanAreAnErrorWithItsRemedy)
 {
     sectionSeries s;
     s.t = scalarList({0.0, 1.0});
-    s.sigma = scalarList({-300.0, -20.0});
+    s.sigma = scalarList({-300.0, 0.01});
     s.v = scalarList(2, scalar(1));
 
     const std::string said(refusal([&]() { erosionByLaws(bed()).of(s); }));
-    expectSays(said, "nowhere above zero from 0 to 1 s");
+    expectSays(said, "pulls in the mean from 0 to 1 s");
     expectSays(said, "write factor -1 at normalStress");
 
     // Nothing there yet is no mistake

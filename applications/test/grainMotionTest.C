@@ -296,6 +296,14 @@ TEST_F(tank, aRegionOrAPointOutsideTheMeshIsAnError)
         expectSays(said(outside), "lies outside the mesh");
     }
     expectSays(said("spheres (((0.5 0.5 0.5) 0.1) ((0.5 500 0.5) 0.1));"), "Region 1 ");
+    for
+    (
+        const char* tooLong
+      : {"spheres (((0.5 0.5 0.5) 20));", "boxes (((-100 0 0) (0.5 0.5 0.5)));"}
+    )
+    {
+        expectSays(said(tooLong), "is longer than the mesh");
+    }
 
     // What any place will do for: across the flume, and the height over a surface
     EXPECT_EQ(said("circles (((0.5 -99 0.5) 0.1));"), "nothing");

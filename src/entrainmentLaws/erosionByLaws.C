@@ -57,12 +57,12 @@ Foam::List<Foam::erosionByLaws::erosion> Foam::erosionByLaws::of
     const label n = s.t.size();
     DynamicList<erosion> all;
 
-    if (n && max(s.sigma) <= 0 && min(s.sigma) < 0)
+    if (n && average(s.sigma) < 0)
     {
         FatalErrorInFunction
-            << "The normal stress is nowhere above zero from " << s.t.first() << " to "
+            << "The normal stress pulls in the mean from " << s.t.first() << " to "
             << s.t.last() << " s: it goes from " << min(s.sigma) << " to "
-            << max(s.sigma) << " Pa, and nothing would be eroded." << nl
+            << max(s.sigma) << " Pa." << nl
             << "    Pressing has to be positive. Stresses of grainStress are positive in"
             << " tension: write factor -1 at normalStress." << exit(FatalError);
     }

@@ -101,6 +101,15 @@ sectionSeries readSection(const dictionary& dict, const fileName& caseFolder)
     const auto fill = [&](const word& name, scalarList& values)
     {
         const misfit::series y(readSeries(all.subDict(name), caseFolder));
+        if (y.x.last() < result.t.first() || y.x.first() > result.t.last())
+        {
+            FatalIOErrorInFunction(all)
+                << name << " goes from " << y.x.first() << " to " << y.x.last()
+                << " s, and what is looked at from " << result.t.first() << " to "
+                << result.t.last() << " s." << nl
+                << "    Mend from and to, or its times: are they in ms, or of another clock?"
+                << exit(FatalIOError);
+        }
         values.setSize(result.t.size());
         forAll(values, i)
         {

@@ -105,15 +105,17 @@ void Foam::flumeSettings::checkMeets
     // A place on a side may be off by round-off
     boundBox wide(mesh);
     wide.inflate(1e-6);
+    const bool fits = cmptMin(wide.span() - region.span()) >= 0;
     for (const vector& shift : shifts)
     {
-        if (wide.overlaps(boundBox(region.min() + shift, region.max() + shift)))
+        if (fits && wide.overlaps(boundBox(region.min() + shift, region.max() + shift)))
         {
             return;
         }
     }
     FatalIOErrorInFunction(dict)
-        << what.c_str() << " of " << dict.name() << " lies outside the mesh." << nl
+        << what.c_str() << " of " << dict.name()
+        << (fits ? " lies outside the mesh." : " is longer than the mesh.") << nl
         << "    That goes from " << mesh.min() << " to " << mesh.max()
         << " m (along the flume, across, up). Is the place given in mm?"
         << exit(FatalIOError);

@@ -185,13 +185,13 @@ Foam::boundBox Foam::functionObjects::grainStress::boxOf
 
     if (hasDiscs(region))
     {
-        result.min().y() = -GREAT;
-        result.max().y() = GREAT;
+        result.min().y() = box().min().y();
+        result.max().y() = box().max().y();
     }
     if (follow_)
     {
-        result.min().z() = -GREAT;
-        result.max().z() = GREAT;
+        result.min().z() = box().min().z();
+        result.max().z() = box().max().z();
     }
 
     return result;

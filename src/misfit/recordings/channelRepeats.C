@@ -3,6 +3,7 @@
 
 #include "channel.H"
 #include "OStringStream.H"
+#include "stringList.H"
 
 #include <sstream>
 
