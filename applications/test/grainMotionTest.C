@@ -287,9 +287,9 @@ TEST_F(tank, aRegionOrAPointOutsideTheMeshIsAnError)
         const char* outside
       : {
             "spheres (((0.5 0.5 0.5) 0.1) ((0.5 500 0.5) 0.1));",
-            "circles (((50 0.5 0.5) 10));",
-            "boxes (((200 200 200) (300 300 300)));",
-            "spheres (((50 0.5 0) 10)); follow surface;"
+            "circles (((50 0.5 0.5) 0.1));",
+            "boxes (((200 0 0) (200.5 0.5 0.5)));",
+            "spheres (((50 0.5 0) 0.1)); follow surface;"
         }
     )
     {
