@@ -3,6 +3,7 @@
 
 #include "grainStress.H"
 #include "periodicity.H"
+#include "saidDuring.H"
 #include "sphereParts.H"
 #include "standingGrains.H"
 #include "testMesh.H"
@@ -148,4 +149,26 @@ TEST(grainStress, aGrainOnABorderThatRepeatsCountsOnce)
 
     EXPECT_NEAR(inSphere, 1, 1e-10);
     EXPECT_NEAR(inBox, 1, 1e-10);
+}
+
+
+TEST(grainStress, aRegionMayBeWiderThanASliceThatRepeatsAsFarAsItsImagesReach)
+{
+    testBox box;
+    box.patches = {"cyclic", "cyclic", "cyclic", "cyclic", "wall", "wall"};
+    testMesh mesh(box);
+    standingGrains grains(mesh.mesh());
+    const auto said = [&](const std::string& boxes)
+    {
+        const dictionary dict(IStringStream("boxes (" + boxes + "); log no;")());
+        return refusal
+        (
+            [&]() { functionObjects::grainStress("stress", mesh.time(), dict); }
+        );
+    };
+
+    EXPECT_EQ(said("((-0.2 0 0) (1.2 1 1))"), "nothing");
+    EXPECT_EQ(said("((1.1 0 0) (1.2 1 1))"), "nothing");
+    expectSays(said("((-2 0 0) (2 1 1))"), "is longer than the mesh");
+    expectSays(said("((0 0 -0.2) (1 1 1.2))"), "is longer than the mesh");
 }

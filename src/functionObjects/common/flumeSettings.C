@@ -105,7 +105,13 @@ void Foam::flumeSettings::checkMeets
     // A place on a side may be off by round-off
     boundBox wide(mesh);
     wide.inflate(1e-6);
-    const bool fits = cmptMin(wide.span() - region.span()) >= 0;
+    boundBox withImages(wide);
+    for (const vector& shift : shifts)
+    {
+        withImages.add(wide.min() + shift);
+        withImages.add(wide.max() + shift);
+    }
+    const bool fits = cmptMin(withImages.span() - region.span()) >= 0;
     for (const vector& shift : shifts)
     {
         if (fits && wide.overlaps(boundBox(region.min() + shift, region.max() + shift)))
