@@ -30,6 +30,38 @@ TEST(misfitDiagnosis, aMistunedModelLacksNothing)
 }
 
 
+TEST(misfitDiagnosis, whatWasMeasuredOfAParameterMovesTheFitAndNoRun)
+{
+    // The release is 0.06 more than that of the runs
+    settings right(worldSettings());
+    right.parameters[0].measured = 0.06;
+    right.parameters[0].measuredDeviation = 0.002;
+    settings wrong(right);
+    wrong.parameters[0].measured = -0.06;
+    worldSampler s(truth(-1, 0), 110, vec());
+
+    const List<plannedStage> with(plan(s, right));
+    const List<plannedStage> without(plan(s, worldSettings()));
+    ASSERT_EQ(with.size(), without.size());
+    forAll(with, i)
+    {
+        ASSERT_EQ(with[i].states.size(), without[i].states.size());
+        forAll(with[i].states, k)
+        {
+            EXPECT_EQ(describe(with[i].states[k]), describe(without[i].states[k]));
+        }
+    }
+
+    const finding f(diagnose(s, right));
+    EXPECT_EQ(f.verdict, verdictKind::none);
+    EXPECT_EQ(f.parameters[0].prior, 0.002);
+    EXPECT_NEAR(f.parameters[0].value, 0.06, 0.006);
+
+    // What the parameter may not be is something that is missing
+    EXPECT_NE(diagnose(s, wrong).verdict, verdictKind::none);
+}
+
+
 TEST(misfitDiagnosis, aMechanismIsNamedAlthoughItsFormulaDiffers)
 {
     for (label m = 0; m < 4; ++m)

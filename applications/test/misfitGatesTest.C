@@ -321,7 +321,7 @@ TEST(misfitGates, aParameterAtItsBoundIsUncertainInAnotherExperimentToo)
 {
     // Gains that are a quarter off bring the release to its bound
     settings set(worldSettings());
-    set.parameters[0].mean = 0.05;
+    set.parameters[0].mean = set.parameters[0].measured = 0.05;
     set.parameters[0].lower = 0;
     label alarms = 0;
     label pinned = 0;

@@ -70,6 +70,34 @@ TEST(misfitSettings, thePresentKeywordsAreRead)
 }
 
 
+TEST(misfitSettings, aParameterIsKnownAsWellAsItWasMeasured)
+{
+    const auto read = [](const std::string& measured)
+    {
+        return readSettings
+        (
+            dictionary
+            (
+                IStringStream
+                (
+                    "parameters { slope { mean 1; deviation 0.5; bounds (0 3); " + measured
+                  + " changes ({ file g; entry along; }); } }"
+                )()
+            )
+        ).parameters[0];
+    };
+    const parameter p(read("measured (1.2 0.1);"));
+    EXPECT_EQ(p.mean, 1);
+    EXPECT_EQ(p.deviation, 0.5);
+    EXPECT_EQ(p.measured, 1.2);
+    EXPECT_EQ(p.measuredDeviation, 0.1);
+    EXPECT_EQ(read("").measured, 1);
+    EXPECT_EQ(read("").measuredDeviation, 0.5);
+    expectSays(refusal([&]{ read("measured (4 0.1);"); }), "within the bounds (0 3)");
+    expectSays(refusal([&]{ read("measured (1 0);"); }), "standard deviation, above zero");
+}
+
+
 TEST(misfitSettings, chaosNeedsReplicatesToBeKnown)
 {
     expectSays(refusalOf("chaotic yes; replicates 12;"), "give replicateChanges");

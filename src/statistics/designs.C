@@ -9,15 +9,15 @@
 std::vector<statistics::vec>
 statistics::parameterDesign(const variableBounds& bounds)
 {
-    std::vector<vec> design(1, bounds.mean);
+    std::vector<vec> design(1, bounds.centre);
     for (int i = 0; i < bounds.nParameters; ++i)
     {
         for (const double side : {-1., 1.})
         {
-            vec x = bounds.mean;
-            x[i] += 1.5*side*bounds.deviation[i];
+            vec x = bounds.centre;
+            x[i] += 1.5*side*bounds.width[i];
             x[i] = std::min(std::max(x[i], bounds.lower[i]), bounds.upper[i]);
-            if (x[i] != bounds.mean[i])
+            if (x[i] != bounds.centre[i])
             {
                 design.push_back(x);
             }
@@ -74,13 +74,13 @@ std::vector<statistics::vec> statistics::ensembleDesign
         return order[next++];
     };
 
-    std::vector<vec> design(1, bounds.mean);
+    std::vector<vec> design(1, bounds.centre);
     while (count(design) < n)
     {
-        vec x = bounds.mean;
+        vec x = bounds.centre;
         for (int i = 0; i < nP; ++i)
         {
-            x[i] += (4*any(generator) - 2)*bounds.deviation[i];
+            x[i] += (4*any(generator) - 2)*bounds.width[i];
             x[i] = std::min(std::max(x[i], bounds.lower[i]), bounds.upper[i]);
         }
         for (int k = 0; nC && k < count(design) % 3; ++k)

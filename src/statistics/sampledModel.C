@@ -57,7 +57,7 @@ void statistics::sampledModel::build()
     const vec chance = chaotic ? covariance_.between(repeats_) : vec();
     surface_.emplace
     (
-        variables_, samples_, bounds_.mean, bounds_.width, std::vector<bool>(), chance
+        variables_, samples_, bounds_.centre, bounds_.width, std::vector<bool>(), chance
     );
     covariance_ = covariance(data_, clockUncertainty_);
     chaosOfRun_ = mat::Zero(size(), size());

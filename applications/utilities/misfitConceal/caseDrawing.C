@@ -24,6 +24,7 @@ Foam::label Foam::misfit::caseDrawing::pick(const label n)
 Foam::misfit::caseDrawing::caseDrawing(const concealedSide& truth, const label seed)
 :
     generator_(seed),
+    measuring_(seed + 1),
     parameters_(readParameters(truth.dict().subDict("parameters"))),
     outside_(truth.outside())
 {
@@ -109,6 +110,22 @@ Foam::misfit::json Foam::misfit::caseDrawing::draw()
         );
     }
     return key;
+}
+
+
+Foam::misfit::json Foam::misfit::caseDrawing::measured(const json& parameters)
+{
+    json all = json::object();
+    for (const parameter& p : parameters_)
+    {
+        if (p.isMeasured())
+        {
+            std::normal_distribution<scalar> error(0, p.measuredDeviation);
+            const scalar x = parameters.at(p.name).get<scalar>() + error(measuring_);
+            all[p.name] = min(max(x, p.lower), p.upper);
+        }
+    }
+    return all;
 }
 
 

@@ -243,6 +243,23 @@ Foam::misfit::concealedSide::recorded(const fileName& folder) const
 }
 
 
+Foam::misfit::settings
+Foam::misfit::concealedSide::known(const fileName& folder) const
+{
+    settings set(readSettings(dict_));
+    const fileName file(folder/"measured");
+    if (isFile(file, false))
+    {
+        const json measured(readJson(file));
+        for (parameter& p : set.parameters)
+        {
+            p.measured = measured.value(p.name, p.measured);
+        }
+    }
+    return set;
+}
+
+
 Foam::misfit::json Foam::misfit::readJson(const fileName& file)
 {
     checkThere(file, "-make writes a key, -diagnose the verdict and proof of each case");

@@ -96,7 +96,6 @@ fileNameList caseFolders(const fileName& folder)
 
 void Foam::misfit::diagnoseCases(concealedSide& library, const fileName& folder)
 {
-    const settings set(readSettings(library.dict()));
     const fileNameList cases(caseFolders(folder));
     label n = 0;
     for (const fileName& c : cases)
@@ -107,6 +106,7 @@ void Foam::misfit::diagnoseCases(concealedSide& library, const fileName& folder)
             continue;
         }
         const recordings recorded(library.recorded(c));
+        const settings set(library.known(c));
         predictedSampler ask(recorded, library, library.trainingEnsemble());
         const finding found(diagnose(ask, set));
         const json proof =

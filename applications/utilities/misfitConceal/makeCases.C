@@ -152,7 +152,7 @@ void Foam::misfit::makeCases
     concealedSide& truth,
     const fileName& folder,
     const fileName& keyFile,
-    const label n,
+    const labelRange& these,
     const fileName& kept
 )
 {
@@ -162,23 +162,27 @@ void Foam::misfit::makeCases
         Info<< key["cases"].size() << " cases are made already" << endl;
         return;
     }
-    if (n > mostCases)
+    if (these.max() >= mostCases)
     {
         FatalErrorInFunction
-            << n << " cases are too many: at most " << mostCases << " have grains of"
+            << these.max() + 1 << " cases are too many: at most " << mostCases << " have grains of"
             << " their own" << exit(FatalError);
     }
     const recordings& all = truth.bare();
     caseDrawing lots(truth, key["seed"]);
-    std::vector<json> cases(n);
+    std::vector<json> cases(these.size());
     List<runState> states;
     const label own = truth.hasReplicates();
     const label times = truth.nRecordings();
-    for (label i = 0; i < n; ++i)
+    for (label number = 0; number <= these.max(); ++number)
     {
-        cases[i] = lots.draw();
-        const label replicate = concealedSide::replicate("truth") + own*i;
-        states.append(statesOf(cases[i], all.experiments(), replicate, times));
+        const json drawn(lots.draw());
+        if (these(number))
+        {
+            const label replicate = concealedSide::replicate("truth") + own*number;
+            states.append(statesOf(drawn, all.experiments(), replicate, times));
+            cases[number - these.start()] = drawn;
+        }
     }
     const List<prediction> given
     (
@@ -188,9 +192,9 @@ void Foam::misfit::makeCases
     const label bare = all.experiments().size();
     const label each = bare + 2*times - 1;
 
-    for (label i = 0; i < n; ++i)
+    for (label i = 0; i < these.size(); ++i)
     {
-        std::string number(std::to_string(i + 1));
+        std::string number(std::to_string(these.start() + i + 1));
         number.insert(0, 4 - min(label(number.size()), label(4)), '0');
         const UList<prediction> mine(SubList<prediction>(given, each, i*each));
         const auto failed =
@@ -226,6 +230,11 @@ void Foam::misfit::makeCases
             }
         }
         writeWhole(target/"level", shortNumber(level) + '\n');
+        const json measured(lots.measured(cases[i]["parameters"]));
+        if (!measured.empty())
+        {
+            writeWhole(target/"measured", measured.dump(1) + '\n');
+        }
 
         json k = {{"case", number}};
         k.update(cases[i]);

@@ -33,6 +33,7 @@ void addOptions()
         {"compute", "n", "Compute so many of the runs that the training"
             " ensembles lack, and tell how many are there"},
         {"make", "n", "Make so many cases and their key"},
+        {"from", "n", "With -make: leave out the cases before this number"},
         {"seed", "number", "With -make; secret if not given"},
         {"keep", "file", "With -make and -solver: keep the runs there, and go on with"
             " those that are there"},
@@ -94,6 +95,8 @@ void checkAction(const argList& args)
         " else: give it alone"
       : !writes && (args.found("with") || args.found("replicate"))
       ? "-with and -replicate say which case -write writes: give it, too"
+      : args.found("from") && !args.found("make")
+      ? "-from says which of the cases -make makes: give both"
       : args.found("keep") && !(args.found("make") && args.found("solver"))
       ? "-keep keeps the runs of -make with -solver: give both"
       : args.found("calibrate") && !args.found("table")
@@ -146,7 +149,15 @@ void make
     }
     concealedSide truth(args.path(), ensembles, "truth", args.found("solver"));
     const fileName kept(args.found("keep") ? path(args, "keep", "") : fileName());
-    makeCases(truth, folder, keyFile, number(args, "make"), kept);
+    const label last = number(args, "make");
+    const label first = args.found("from") ? number(args, "from") : 1;
+    if (first < 1 || first > last)
+    {
+        FatalErrorInFunction
+            << "-from " << first << ": the cases are numbered from 1 to " << last
+            << exit(FatalError);
+    }
+    makeCases(truth, folder, keyFile, labelRange(first - 1, last - first + 1), kept);
 }
 
 

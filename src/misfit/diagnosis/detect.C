@@ -172,7 +172,7 @@ Foam::misfit::scored Foam::misfit::detect
         const parameter& p = set.parameters[i];
         f.parameters.append
         ({
-            p.name, p.mean, p.deviation, base.best.x[i],
+            p.name, p.measured, p.measuredDeviation, base.best.x[i],
             base.best.deviation(i), base.best.pinned[i]
         });
     }

@@ -163,14 +163,14 @@ Foam::misfit::plan(sampler& ask, const settings& set)
         ({
             "Sensitivities of the mechanisms (around the calibrated state, not the"
             " one shown)",
-            replicated(s, s.sensitivityDesign(s.bounds.mean, every))
+            replicated(s, s.sensitivityDesign(s.bounds.centre, every))
         });
     }
     if (set.correction.size())
     {
         const study c(s.ofCorrection());
-        List<runState> states(replicated(c, elementDesign(c, c.bounds.mean)));
-        states.append(c.state(c.bounds.mean));
+        List<runState> states(replicated(c, elementDesign(c, c.bounds.centre)));
+        states.append(c.state(c.bounds.centre));
         states.last().noting = true;
         stages.append
         ({

@@ -17,12 +17,14 @@ variableBounds boundsOf(const List<parameter>& parameters, const label strengths
     variableBounds b;
     const label n = parameters.size() + strengths;
     b.nParameters = parameters.size();
-    b.mean = b.deviation = b.lower = b.upper = b.width = vec::Zero(n);
+    b.mean = b.deviation = b.lower = b.upper = b.centre = b.width = vec::Zero(n);
     forAll(parameters, i)
     {
         const parameter& p = parameters[i];
-        b.mean[i] = p.mean;
-        b.width[i] = b.deviation[i] = p.deviation;
+        b.mean[i] = p.measured;
+        b.deviation[i] = p.measuredDeviation;
+        b.centre[i] = p.mean;
+        b.width[i] = p.deviation;
         b.lower[i] = p.lower;
         b.upper[i] = p.upper;
     }

@@ -157,7 +157,7 @@ Foam::List<Foam::misfit::runState> Foam::misfit::bases(const study& s)
     List<runState> states;
     for (const observed& o : s.experiments)
     {
-        states.append(s.state(o.experiment, s.bounds.mean));
+        states.append(s.state(o.experiment, s.bounds.centre));
     }
     return states;
 }
@@ -172,14 +172,14 @@ Foam::List<Foam::misfit::runState> Foam::misfit::uncertaintyRuns
     List<runState> states;
     for (label replicate = 0; replicate < s.set.replicates; ++replicate)
     {
-        states.append(s.state(experiment, s.bounds.mean));
+        states.append(s.state(experiment, s.bounds.centre));
         states.last().replicate = replicate;
     }
     for (const word& name : s.set.resolutions)
     {
         for (label replicate = 0; replicate < s.set.resolutionReplicates; ++replicate)
         {
-            states.append(s.state(experiment, s.bounds.mean));
+            states.append(s.state(experiment, s.bounds.centre));
             states.last().resolution = name;
             states.last().replicate = replicate;
         }

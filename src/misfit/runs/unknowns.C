@@ -64,19 +64,27 @@ List<misfit::expectedSign> signsOf(const dictionary& dict)
 
 misfit::parameter readParameter(const word& name, const dictionary& dict)
 {
-    keywords::check(dict, {"changes", "mean", "deviation", "bounds"});
+    keywords::check(dict, {"changes", "mean", "deviation", "measured", "bounds"});
     const Tuple2<scalar, scalar> bounds
     (
         dict.get<Tuple2<scalar, scalar>>("bounds")
+    );
+    const scalar mean = dict.get<scalar>("mean");
+    const scalar deviation = dict.get<scalar>("deviation");
+    const Tuple2<scalar, scalar> measured
+    (
+        dict.getOrDefault("measured", Tuple2<scalar, scalar>(mean, deviation))
     );
     const misfit::parameter p
     {
         name,
         changesOf(dict),
-        dict.get<scalar>("mean"),
-        dict.get<scalar>("deviation"),
+        mean,
+        deviation,
         bounds.first(),
-        bounds.second()
+        bounds.second(),
+        measured.first(),
+        measured.second()
     };
     if (p.deviation <= 0 || p.mean < p.lower || p.mean > p.upper)
     {
@@ -85,6 +93,13 @@ misfit::parameter readParameter(const word& name, const dictionary& dict)
             << ", the deviation " << p.deviation << " and the bounds "
             << bounds << ". The deviation must be above zero, and the mean"
             << " within the bounds" << exit(FatalIOError);
+    }
+    if (p.measuredDeviation <= 0 || p.measured < p.lower || p.measured > p.upper)
+    {
+        FatalIOErrorInFunction(dict)
+            << "The parameter " << name << " is measured " << measured << ": give the value,"
+            << " within the bounds " << bounds << ", and its standard deviation, above zero"
+            << exit(FatalIOError);
     }
     return p;
 }
