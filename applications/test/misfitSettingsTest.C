@@ -93,8 +93,16 @@ TEST(misfitSettings, aParameterIsKnownAsWellAsItWasMeasured)
     EXPECT_EQ(p.measuredDeviation, 0.1);
     EXPECT_EQ(read("").measured, 1);
     EXPECT_EQ(read("").measuredDeviation, 0.5);
-    expectSays(refusal([&]{ read("measured (4 0.1);"); }), "within the bounds (0 3)");
-    expectSays(refusal([&]{ read("measured (1 0);"); }), "standard deviation, above zero");
+    EXPECT_TRUE(p.isMeasured);
+    EXPECT_FALSE(read("").isMeasured);
+    for (const char* wrong : {"(-0.1 0.1)", "(2.1 0.1)", "(1 0)", "(1 0.6)"})
+    {
+        expectSays
+        (
+            refusal([&]{ read("measured " + std::string(wrong) + ";"); }),
+            "within the bounds (0 3) and two deviations"
+        );
+    }
 }
 
 

@@ -24,7 +24,7 @@ Foam::label Foam::misfit::caseDrawing::pick(const label n)
 Foam::misfit::caseDrawing::caseDrawing(const concealedSide& truth, const label seed)
 :
     generator_(seed),
-    measuring_(seed + 1),
+    seed_(seed),
     parameters_(readParameters(truth.dict().subDict("parameters"))),
     outside_(truth.outside())
 {
@@ -113,15 +113,22 @@ Foam::misfit::json Foam::misfit::caseDrawing::draw()
 }
 
 
-Foam::misfit::json Foam::misfit::caseDrawing::measured(const json& parameters)
+Foam::misfit::json Foam::misfit::caseDrawing::measured
+(
+    const json& parameters,
+    const label number
+) const
 {
+    // Apart from all else that is drawn, and whichever cases are made
+    std::seed_seq own{seed_, number};
+    std::mt19937 generator(own);
     json all = json::object();
     for (const parameter& p : parameters_)
     {
-        if (p.isMeasured())
+        if (p.isMeasured)
         {
             std::normal_distribution<scalar> error(0, p.measuredDeviation);
-            const scalar x = parameters.at(p.name).get<scalar>() + error(measuring_);
+            const scalar x = parameters.at(p.name).get<scalar>() + error(generator);
             all[p.name] = min(max(x, p.lower), p.upper);
         }
     }

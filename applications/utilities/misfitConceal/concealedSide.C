@@ -248,12 +248,21 @@ Foam::misfit::concealedSide::known(const fileName& folder) const
 {
     settings set(readSettings(dict_));
     const fileName file(folder/"measured");
-    if (isFile(file, false))
+    const json measured(isFile(file, false) ? readJson(file) : json::object());
+    for (parameter& p : set.parameters)
     {
-        const json measured(readJson(file));
-        for (parameter& p : set.parameters)
+        if (p.isMeasured != measured.contains(p.name))
         {
-            p.measured = measured.value(p.name, p.measured);
+            FatalErrorInFunction
+                << "The parameter " << p.name << " is measured "
+                << (p.isMeasured ? "in libraryDict, not in " : "in ") << file
+                << (p.isMeasured ? "" : ", not in libraryDict") << ": give both dictionaries"
+                << " of the slice the same parameters, and make the cases anew"
+                << exit(FatalError);
+        }
+        if (p.isMeasured)
+        {
+            p.measured = measured[p.name];
         }
     }
     return set;

@@ -159,6 +159,17 @@ void Foam::misfit::makeCases
     json key(readJson(keyFile));
     if (!key["cases"].empty())
     {
+        for (const json& c : key["cases"])
+        {
+            const label number = std::stoi(c["case"].get<std::string>());
+            if (!these(number - 1))
+            {
+                FatalErrorInFunction
+                    << "The key " << keyFile << " has case " << number << ", which is none of "
+                    << these.min() + 1 << " to " << these.max() + 1 << ". Give another -folder"
+                    << " and -key, or remove it and its cases" << exit(FatalError);
+            }
+        }
         Info<< key["cases"].size() << " cases are made already" << endl;
         return;
     }
@@ -230,7 +241,7 @@ void Foam::misfit::makeCases
             }
         }
         writeWhole(target/"level", shortNumber(level) + '\n');
-        const json measured(lots.measured(cases[i]["parameters"]));
+        const json measured(lots.measured(cases[i]["parameters"], these.start() + i + 1));
         if (!measured.empty())
         {
             writeWhole(target/"measured", measured.dump(1) + '\n');

@@ -32,7 +32,7 @@ void addOptions()
         {"ensemble", "dir", "Training ensembles; ensemble of the slice if not given"},
         {"compute", "n", "Compute so many of the runs that the training"
             " ensembles lack, and tell how many are there"},
-        {"make", "n", "Make so many cases and their key"},
+        {"make", "n", "Make cases 1 to n and their key"},
         {"from", "n", "With -make: leave out the cases before this number"},
         {"seed", "number", "With -make; secret if not given"},
         {"keep", "file", "With -make and -solver: keep the runs there, and go on with"
@@ -109,6 +109,17 @@ void checkAction(const argList& args)
     {
         FatalErrorInFunction << missing << exit(FatalError);
     }
+    if (args.found("from"))
+    {
+        const label last = number(args, "make");
+        const label first = number(args, "from");
+        if (first < 1 || first > last)
+        {
+            FatalErrorInFunction
+                << "-from " << first << ": the cases are numbered from 1 to " << last
+                << exit(FatalError);
+        }
+    }
 }
 
 
@@ -151,12 +162,6 @@ void make
     const fileName kept(args.found("keep") ? path(args, "keep", "") : fileName());
     const label last = number(args, "make");
     const label first = args.found("from") ? number(args, "from") : 1;
-    if (first < 1 || first > last)
-    {
-        FatalErrorInFunction
-            << "-from " << first << ": the cases are numbered from 1 to " << last
-            << exit(FatalError);
-    }
     makeCases(truth, folder, keyFile, labelRange(first - 1, last - first + 1), kept);
 }
 

@@ -32,7 +32,8 @@ struct detectability
     const stacked& data;
 
 
-    //- From the recordings of any of these cases: their times and repeats count
+    //- From the recordings of any of these cases: their times and repeats count. Where
+    //  the parameters are in one of them changes little
     detectability(concealedSide& library, const fileName& caseFolder)
     :
         recorded(library.recorded(caseFolder)),

@@ -84,7 +84,8 @@ misfit::parameter readParameter(const word& name, const dictionary& dict)
         bounds.first(),
         bounds.second(),
         measured.first(),
-        measured.second()
+        measured.second(),
+        dict.found("measured")
     };
     if (p.deviation <= 0 || p.mean < p.lower || p.mean > p.upper)
     {
@@ -94,12 +95,16 @@ misfit::parameter readParameter(const word& name, const dictionary& dict)
             << bounds << ". The deviation must be above zero, and the mean"
             << " within the bounds" << exit(FatalIOError);
     }
-    if (p.measuredDeviation <= 0 || p.measured < p.lower || p.measured > p.upper)
+    const bool isCovered = mag(p.measured - p.mean) <= 2*p.deviation;
+    const bool isInBounds = p.measured >= p.lower && p.measured <= p.upper;
+    const bool isBetter = p.measuredDeviation > 0 && p.measuredDeviation <= p.deviation;
+    if (!isCovered || !isInBounds || !isBetter)
     {
         FatalIOErrorInFunction(dict)
             << "The parameter " << name << " is measured " << measured << ": give the value,"
-            << " within the bounds " << bounds << ", and its standard deviation, above zero"
-            << exit(FatalIOError);
+            << " within the bounds " << bounds << " and two deviations of the mean " << mean
+            << ", as runs reach no further, and its standard deviation, above zero and at"
+            << " most that of the runs, " << deviation << exit(FatalIOError);
     }
     return p;
 }
