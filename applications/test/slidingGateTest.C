@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A gate: its faces, where it is in time, what it lets through.
 
+#include "saidDuring.H"
 #include "slidingGate.H"
 #include "testMesh.H"
 
@@ -142,6 +143,18 @@ TEST(slidingGate, BetweenFacesItStandsOnTheFacesBetweenItsSides)
 
     EXPECT_EQ(openArea(gate, m.mesh(), 0, 0.5), 0);
     EXPECT_DOUBLE_EQ(openArea(gate, m.mesh(), 0, 0.75), 1);
+}
+
+
+TEST(slidingGate, TellsHowFarBesideItsPlaneItStands)
+{
+    testMesh m(box());
+    const auto said = [&](const scalar x)
+    {
+        return saidDuring([&]{ slidingGate gate(m.mesh(), gateAt(x)); });
+    };
+    expectSays(said(0.55), "up to 0.05 m beside its plane");
+    expectSaysNo(said(0.5), "beside its plane");
 }
 
 

@@ -91,6 +91,7 @@ Foam::slidingGate::slidingGate(const fvMesh& mesh, const dictionary& dict)
     }
 
     findFaces(onPlane, normal);
+    checkPlane(onPlane, normal);
     findExtents(direction);
 
     open_.reset
@@ -188,6 +189,34 @@ void Foam::slidingGate::findFaces(const point& onPlane, const vector& normal)
             << " of it." << nl
             << "    The mesh is in " << mesh_.bounds() << " m; put point in"
             << " constant/slidingGate inside." << exit(FatalError);
+    }
+}
+
+
+void Foam::slidingGate::checkPlane
+(
+    const point& onPlane,
+    const vector& normal
+) const
+{
+    scalar beside = 0;
+    scalar cell = GREAT;
+    for (const label face : faces_)
+    {
+        const point& centre = mesh_.faceCentres()[face];
+        beside = max(beside, mag((centre - onPlane) & normal));
+        cell = min(cell, cbrt(mesh_.V()[mesh_.faceOwner()[face]]));
+    }
+    reduce(beside, maxOp<scalar>());
+    reduce(cell, minOp<scalar>());
+
+    if (beside > 0.05*cell)
+    {
+        WarningInFunction
+            << "The gate stands on faces of the mesh up to " << beside
+            << " m beside its plane: fluid is held back there, and let go from"
+            << " there." << nl
+            << "    Let faces of the mesh lie in the plane." << endl;
     }
 }
 

@@ -81,6 +81,43 @@ namespace
 
         return result;
     }
+
+
+    //- How far cells that are filled reach out of the ground plan of the box, or others
+    //  into it, between its bottom and the level [m]
+    scalar besidePlan
+    (
+        const fvMesh& mesh,
+        const boundBox& box,
+        const scalar level
+    )
+    {
+        scalar most = 0;
+        for (const cell& c : mesh.cells())
+        {
+            const boundBox b(c.points(mesh.faces(), mesh.points()), false);
+            if (b.max().z() <= box.min().z() || b.min().z() >= level)
+            {
+                continue;
+            }
+            for (const direction d : {vector::X, vector::Y})
+            {
+                const direction other = d == vector::X ? vector::Y : vector::X;
+                const bool isBeside =
+                    b.max()[other] <= box.min()[other]
+                 || b.min()[other] >= box.max()[other];
+                for (const scalar side : {box.min()[d], box.max()[d]})
+                {
+                    const scalar cut = min(side - b.min()[d], b.max()[d] - side);
+                    if (!isBeside && cut > 0.05*b.span()[d])
+                    {
+                        most = max(most, cut);
+                    }
+                }
+            }
+        }
+        return most;
+    }
 }
 
 
@@ -207,6 +244,15 @@ int main(int argc, char *argv[])
     alpha.primitiveFieldRef() = shares(mesh, box, level);
     alpha.write();
 
+    const scalar beside = besidePlan(mesh, box, level);
+    if (beside > 0)
+    {
+        WarningInFunction
+            << "Sides of the box " << box << " cut cells of the mesh, which are"
+            << " filled by their centre: the water stands up to " << beside
+            << " m beside the box." << nl
+            << "    Let cells end at its sides." << endl;
+    }
     Info<< "Water: " << density*sum(pores*alpha.primitiveField())
         << " kg, level at z = " << level << " m; top of the packing at "
         << box.max().z() << " m" << nl << endl;
