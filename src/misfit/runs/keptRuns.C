@@ -207,6 +207,41 @@ Foam::misfit::keptRuns::table Foam::misfit::keptRuns::read() const
 }
 
 
+void Foam::misfit::keptRuns::tell
+(
+    const table& runs,
+    const scalar each,
+    const label left
+) const
+{
+    const label here =
+        std::count_if(names.begin(), names.end(), [&](const string& name)
+        {
+            return runs.found(name);
+        });
+    Info<< file.name() << " has " << here << " of " << states.size() << " runs";
+    if (left)
+    {
+        Info<< ", about " << std::ceil(each*left/60) << " min for the " << left << " to do";
+    }
+    Info<< endl;
+}
+
+
+void Foam::misfit::keptRuns::checkStopped(const stringList& stopped) const
+{
+    if (stopped.size())
+    {
+        FatalErrorInFunction
+            << stopped.size() << " runs have no end, the first of them "
+            << stopped[0].c_str() << ": they were killed by somebody else, perhaps by a"
+            << " machine without room, or took longer than timeLimit, perhaps beside"
+            << " others. Start this again, with a longer timeLimit where it was that: "
+            << file << " has those that ended" << exit(FatalError);
+    }
+}
+
+
 Foam::List<Foam::misfit::prediction> Foam::misfit::keptRuns::grown
 (
     solverPredictor& ask,
@@ -223,20 +258,7 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::keptRuns::grown
     stringList stopped;
     for (label first = 0; first < end; first += batch)
     {
-        const label here =
-            std::count_if(names.begin(), names.end(), [&](const string& name)
-            {
-                return runs.found(name);
-            });
-        Info<< file.name() << " has " << here << " of " << states.size() << " runs";
-        if (first)
-        {
-            const scalar each = timer.elapsedTime()/first;
-            Info<< ", about " << std::ceil(each*(end - first)/60) << " min for the "
-                << end - first << " to do";
-        }
-        Info<< endl;
-
+        tell(runs, timer.elapsedTime()/max(first, label(1)), first ? end - first : 0);
         const labelList some(SubList<label>(todo, min(batch, end - first), first));
         const List<runState> asked(UIndirectList<runState>(states, some));
         const List<prediction> more(ask.predict(asked));
@@ -253,15 +275,7 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::keptRuns::grown
         }
         writeWhole(file, text);
     }
-    if (stopped.size())
-    {
-        FatalErrorInFunction
-            << stopped.size() << " runs have no end, the first of them "
-            << stopped[0].c_str() << ": they were killed by somebody else, perhaps by a"
-            << " machine without room, or took longer than timeLimit, perhaps beside"
-            << " others. Start this again, with a longer timeLimit where it was that: "
-            << file << " has those that ended" << exit(FatalError);
-    }
+    checkStopped(stopped);
     const List<prediction> those(found(runs));
     Info<< file.name() << " has " << those.size() << " of " << states.size() << " runs"
         << endl;
