@@ -49,6 +49,12 @@ namespace
     }
 
 
+    boundBox boxOf(const fvMesh& mesh, const cell& c)
+    {
+        return boundBox(c.points(mesh.faces(), mesh.points()), false);
+    }
+
+
     //- Share of each cell that lies in the box, up to the level along z [-]
     scalarField shares
     (
@@ -61,11 +67,7 @@ namespace
 
         forAll(result, cell)
         {
-            const boundBox cellBox
-            (
-                mesh.cells()[cell].points(mesh.faces(), mesh.points()),
-                false
-            );
+            const boundBox cellBox(boxOf(mesh, mesh.cells()[cell]));
             point centre(mesh.C()[cell]);
             centre.z() = box.min().z();
 
@@ -83,8 +85,8 @@ namespace
     }
 
 
-    //- How far cells that are filled reach out of the ground plan of the box, or others
-    //  into it, between its bottom and the level [m]
+    //- How far sides of the ground plan reach into cells that the box meets below the
+    //  level [m]; 0 where they are between cells
     scalar besidePlan
     (
         const fvMesh& mesh,
@@ -92,27 +94,21 @@ namespace
         const scalar level
     )
     {
+        const point top(box.max().x(), box.max().y(), level);
         scalar most = 0;
         for (const cell& c : mesh.cells())
         {
-            const boundBox b(c.points(mesh.faces(), mesh.points()), false);
-            if (b.max().z() <= box.min().z() || b.min().z() >= level)
+            const boundBox b(boxOf(mesh, c));
+            if (cmptMin(min(b.max(), top) - max(b.min(), box.min())) <= 0)
             {
                 continue;
             }
             for (const direction d : {vector::X, vector::Y})
             {
-                const direction other = d == vector::X ? vector::Y : vector::X;
-                const bool isBeside =
-                    b.max()[other] <= box.min()[other]
-                 || b.min()[other] >= box.max()[other];
                 for (const scalar side : {box.min()[d], box.max()[d]})
                 {
                     const scalar cut = min(side - b.min()[d], b.max()[d] - side);
-                    if (!isBeside && cut > 0.05*b.span()[d])
-                    {
-                        most = max(most, cut);
-                    }
+                    most = max(most, cut > 0.05*b.span()[d] ? cut : 0);
                 }
             }
         }

@@ -244,19 +244,19 @@ Foam::misfit::concealedSide::recorded(const fileName& folder) const
 
 
 Foam::misfit::settings
-Foam::misfit::concealedSide::known(const fileName& folder) const
+Foam::misfit::concealedSide::known(settings asked, const fileName& folder)
 {
-    settings set(readSettings(dict_));
     const fileName file(folder/"measured");
+    const char* const asking = "libraryDict";
     const json measured(isFile(file, false) ? readJson(file) : json::object());
-    for (parameter& p : set.parameters)
+    for (parameter& p : asked.parameters)
     {
         if (p.isMeasured != measured.contains(p.name))
         {
             FatalErrorInFunction
-                << "The parameter " << p.name << " is measured "
-                << (p.isMeasured ? "in libraryDict, not in " : "in ") << file
-                << (p.isMeasured ? "" : ", not in libraryDict") << ": give both dictionaries"
+                << "The parameter " << p.name << " is measured in "
+                << (p.isMeasured ? asking : file.c_str()) << ", not in "
+                << (p.isMeasured ? file.c_str() : asking) << ": give both dictionaries"
                 << " of the slice the same parameters, and make the cases anew"
                 << exit(FatalError);
         }
@@ -265,7 +265,7 @@ Foam::misfit::concealedSide::known(const fileName& folder) const
             p.measured = measured[p.name];
         }
     }
-    return set;
+    return asked;
 }
 
 

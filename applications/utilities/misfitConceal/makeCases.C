@@ -144,6 +144,23 @@ List<runState> statesOf
     return states;
 }
 
+
+//- Fatal if a key has cases that are none of these
+void checkMade(const json& cases, const fileName& keyFile, const labelRange& these)
+{
+    for (const json& c : cases)
+    {
+        const label number = std::stoi(c["case"].get<std::string>());
+        if (!these(number - 1))
+        {
+            FatalErrorInFunction
+                << "The key " << keyFile << " has case " << number << ", which is none of "
+                << these.min() + 1 << " to " << these.max() + 1 << ". Give another -folder"
+                << " and -key, or remove it and its cases" << exit(FatalError);
+        }
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -159,17 +176,7 @@ void Foam::misfit::makeCases
     json key(readJson(keyFile));
     if (!key["cases"].empty())
     {
-        for (const json& c : key["cases"])
-        {
-            const label number = std::stoi(c["case"].get<std::string>());
-            if (!these(number - 1))
-            {
-                FatalErrorInFunction
-                    << "The key " << keyFile << " has case " << number << ", which is none of "
-                    << these.min() + 1 << " to " << these.max() + 1 << ". Give another -folder"
-                    << " and -key, or remove it and its cases" << exit(FatalError);
-            }
-        }
+        checkMade(key["cases"], keyFile, these);
         Info<< key["cases"].size() << " cases are made already" << endl;
         return;
     }
@@ -205,7 +212,8 @@ void Foam::misfit::makeCases
 
     for (label i = 0; i < these.size(); ++i)
     {
-        std::string number(std::to_string(these.start() + i + 1));
+        const label counted = these.start() + i + 1;
+        std::string number(std::to_string(counted));
         number.insert(0, 4 - min(label(number.size()), label(4)), '0');
         const UList<prediction> mine(SubList<prediction>(given, each, i*each));
         const auto failed =
@@ -241,7 +249,7 @@ void Foam::misfit::makeCases
             }
         }
         writeWhole(target/"level", shortNumber(level) + '\n');
-        const json measured(lots.measured(cases[i]["parameters"], these.start() + i + 1));
+        const json measured(lots.measured(cases[i]["parameters"], counted));
         if (!measured.empty())
         {
             writeWhole(target/"measured", measured.dump(1) + '\n');

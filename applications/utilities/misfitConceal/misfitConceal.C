@@ -70,6 +70,21 @@ label number(const argList& args, const word& option)
 }
 
 
+//- The cases that are to be made, counted from 0; fatal if -from is none of them
+labelRange casesOf(const argList& args)
+{
+    const label last = number(args, "make");
+    const label first = args.found("from") ? number(args, "from") : 1;
+    if (first < 1 || first > last)
+    {
+        FatalErrorInFunction
+            << "-from " << first << ": the cases are numbered from 1 to " << last
+            << exit(FatalError);
+    }
+    return labelRange(first - 1, last - first + 1);
+}
+
+
 //- Fatal if there is nothing to do, or not all that it takes
 void checkAction(const argList& args)
 {
@@ -109,16 +124,9 @@ void checkAction(const argList& args)
     {
         FatalErrorInFunction << missing << exit(FatalError);
     }
-    if (args.found("from"))
+    if (args.found("make"))
     {
-        const label last = number(args, "make");
-        const label first = number(args, "from");
-        if (first < 1 || first > last)
-        {
-            FatalErrorInFunction
-                << "-from " << first << ": the cases are numbered from 1 to " << last
-                << exit(FatalError);
-        }
+        casesOf(args);
     }
 }
 
@@ -160,9 +168,7 @@ void make
     }
     concealedSide truth(args.path(), ensembles, "truth", args.found("solver"));
     const fileName kept(args.found("keep") ? path(args, "keep", "") : fileName());
-    const label last = number(args, "make");
-    const label first = args.found("from") ? number(args, "from") : 1;
-    makeCases(truth, folder, keyFile, labelRange(first - 1, last - first + 1), kept);
+    makeCases(truth, folder, keyFile, casesOf(args), kept);
 }
 
 

@@ -276,8 +276,6 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::keptRuns::grown
         writeWhole(file, text);
     }
     checkStopped(stopped);
-    const List<prediction> those(found(runs));
-    Info<< file.name() << " has " << those.size() << " of " << states.size() << " runs"
-        << endl;
-    return those;
+    tell(runs, 0, 0);
+    return found(runs);
 }

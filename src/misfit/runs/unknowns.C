@@ -62,6 +62,24 @@ List<misfit::expectedSign> signsOf(const dictionary& dict)
 }
 
 
+//- Fatal where runs do not reach what was measured, or are nearer together than that is known
+void checkMeasured(const dictionary& dict, const misfit::parameter& p)
+{
+    const bool isCovered = mag(p.measured - p.mean) <= 2*p.deviation;
+    const bool isInBounds = p.measured >= p.lower && p.measured <= p.upper;
+    const bool isBetter = p.measuredDeviation > 0 && p.measuredDeviation <= p.deviation;
+    if (!isCovered || !isInBounds || !isBetter)
+    {
+        FatalIOErrorInFunction(dict)
+            << "The parameter " << p.name << " is measured (" << p.measured << ' '
+            << p.measuredDeviation << "): give the value, within the bounds (" << p.lower
+            << ' ' << p.upper << ") and two deviations of the mean " << p.mean
+            << ", as runs reach no further, and its standard deviation, above zero and at"
+            << " most that of the runs, " << p.deviation << exit(FatalIOError);
+    }
+}
+
+
 misfit::parameter readParameter(const word& name, const dictionary& dict)
 {
     keywords::check(dict, {"changes", "mean", "deviation", "measured", "bounds"});
@@ -95,17 +113,7 @@ misfit::parameter readParameter(const word& name, const dictionary& dict)
             << bounds << ". The deviation must be above zero, and the mean"
             << " within the bounds" << exit(FatalIOError);
     }
-    const bool isCovered = mag(p.measured - p.mean) <= 2*p.deviation;
-    const bool isInBounds = p.measured >= p.lower && p.measured <= p.upper;
-    const bool isBetter = p.measuredDeviation > 0 && p.measuredDeviation <= p.deviation;
-    if (!isCovered || !isInBounds || !isBetter)
-    {
-        FatalIOErrorInFunction(dict)
-            << "The parameter " << name << " is measured " << measured << ": give the value,"
-            << " within the bounds " << bounds << " and two deviations of the mean " << mean
-            << ", as runs reach no further, and its standard deviation, above zero and at"
-            << " most that of the runs, " << deviation << exit(FatalIOError);
-    }
+    checkMeasured(dict, p);
     return p;
 }
 
