@@ -128,6 +128,27 @@ TEST(demCoupling, hasNoGrainsWithoutTheirDictionary)
 }
 
 
+TEST(granularProperties, warnsOfDragThatIsSmoothedForMaterialPoints)
+{
+    const auto said = [](const std::string& phase, const std::string& smoothing)
+    {
+        boxOfWater w
+        (
+            "#remove (LIGGGHTS granularPhase)\ngranularPhase " + phase
+          + ";\nvoidFraction { smoothing { " + smoothing + " } }"
+        );
+        const granularProperties dict(w.box().mesh());
+        return saidDuring([&]() { dict.checkSmoothing(); });
+    };
+
+    expectSays(said("materialPoints", ""), "Write  drag off;");
+    expectSays(said("materialPoints", "width 2;"), "Write  drag off;");
+    EXPECT_EQ(said("materialPoints", "drag on;"), "");
+    EXPECT_EQ(said("materialPoints", "model none;"), "");
+    EXPECT_EQ(said("LIGGGHTS", ""), "");
+}
+
+
 TEST(localDamping, isNoContactForceOfAGrainThatFalls)
 {
     boxOfWater w("LIGGGHTS { localDamping 0.7; }");

@@ -34,6 +34,7 @@ Foam::demCoupling::demCoupling
     }
 
     const granularProperties dict(mesh);
+    dict.checkSmoothing();
 
     phase_ = dict.makePhase(mesh, rest.g());
     exchange_.reset(new grainExchange(mesh));

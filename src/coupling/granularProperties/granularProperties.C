@@ -76,6 +76,29 @@ bool Foam::granularProperties::withoutFluid(const fvMesh& mesh)
 }
 
 
+void Foam::granularProperties::checkSmoothing() const
+{
+    const dictionary smoothing
+    (
+        subOrEmptyDict("voidFraction").subOrEmptyDict("smoothing")
+    );
+
+    if
+    (
+        get<word>("granularPhase") == "materialPoints"
+     && smoothing.lookupOrDefault<word>("model", "diffusion") != "none"
+     && !smoothing.found("drag")
+    )
+    {
+        IOWarningInFunction(*this)
+            << "voidFraction/smoothing also smooths the drag of the material points,"
+            << " whose solid and liquid can then part in single cells." << nl
+            << "    Write  drag off;  in it, or  drag on;  if that is meant."
+            << nl << endl;
+    }
+}
+
+
 Foam::autoPtr<Foam::granularPhase> Foam::granularProperties::makePhase
 (
     const fvMesh& mesh,
