@@ -161,6 +161,137 @@ void checkMade(const json& cases, const fileName& keyFile, const labelRange& the
     }
 }
 
+//- A case and where its runs stand, in the order of statesOf
+struct caseToMake
+{
+    string name;
+
+    json key;
+
+    List<prediction> runs;
+
+    //- Number of experiment A
+    label fitted;
+
+    label nExperiments;
+
+    //- A run of an experiment, or A once more
+    const prediction& with(const label experiment, const label repeat) const
+    {
+        return runs[repeat ? nExperiments + 2*repeat - 1 : experiment];
+    }
+
+    //- A without what is concealed
+    const prediction& without(const label repeat) const
+    {
+        return runs[nExperiments + 2*repeat];
+    }
+
+    //- Why there is no case; nothing where all runs went well
+    string failure() const
+    {
+        const auto failed =
+            std::find_if_not(runs.begin(), runs.end(), std::mem_fn(&prediction::ok));
+        return failed == runs.end() ? string() : failed->failure;
+    }
+};
+
+
+//- Four digits at least
+string nameOf(const label number)
+{
+    std::string name(std::to_string(number));
+    name.insert(0, 4 - min(label(name.size()), label(4)), '0');
+    return name;
+}
+
+
+//- These cases and their runs, or what is kept of them; those before are drawn as well, so
+//  that each is the same whatever others are made
+List<caseToMake> casesOf
+(
+    concealedSide& truth,
+    caseDrawing& lots,
+    const labelRange& these,
+    const fileName& kept
+)
+{
+    const wordList& experiments = truth.bare().experiments();
+    const label times = truth.nRecordings();
+    const label own = truth.hasReplicates();
+    List<caseToMake> cases(these.size());
+    List<runState> states;
+    for (label i = 0; i <= these.max(); ++i)
+    {
+        const json key(lots.draw());
+        if (these(i))
+        {
+            cases[i - these.start()] =
+                {nameOf(i + 1), key, {}, experiments.find("A"), experiments.size()};
+            const label replicate = concealedSide::replicate("truth") + own*i;
+            states.append(statesOf(key, experiments, replicate, times));
+        }
+    }
+    const List<prediction> given
+    (
+        kept.empty() ? truth.predict(states) : truth.predict(states, kept)
+    );
+    const label each = states.size()/cases.size();
+    forAll(cases, i)
+    {
+        cases[i].runs = SubList<prediction>(given, each, i*each);
+    }
+    return cases;
+}
+
+
+//- Writes the recordings of a case, with their noise
+void writeRecordings
+(
+    const caseToMake& one,
+    const recordings& all,
+    const label times,
+    caseDrawing& lots,
+    const fileName& folder
+)
+{
+    mkDir(folder);
+    const scalar level = one.key["noise"];
+    forAll(all.channels(), k)
+    {
+        const channel& ch = all.channels()[k];
+        const label e = all.experiments().find(ch.experiment);
+        for (label repeat = 0; repeat < (e == one.fitted ? times : 1); ++repeat)
+        {
+            series s(recorded(one.key, one.with(e, repeat).channels[k], ch.name));
+            lots.addNoise(s, level*ch.samples.uncertainty, step);
+            const fileName name
+            (
+                repeat ? concealedSide::repeatName(ch.name, repeat) : ch.name + ".csv"
+            );
+            writeWhole(folder/name, csv(s, ch.samples.quantity, ch.overTime()));
+        }
+    }
+    writeWhole(folder/"level", shortNumber(level) + '\n');
+}
+
+
+//- What the key says of a case
+json keyOf(const caseToMake& one, const recordings& all, const label times)
+{
+    json k = {{"case", one.name}};
+    k.update(one.key);
+    k["effects"] = json::array();
+    for (label repeat = 0; repeat < times; ++repeat)
+    {
+        k["effects"].push_back
+        (
+            effect(all, one.key, one.with(one.fitted, repeat), one.without(repeat))
+        );
+    }
+    return k;
+}
+
 } // End anonymous namespace
 
 
@@ -187,86 +318,25 @@ void Foam::misfit::makeCases
             << " their own" << exit(FatalError);
     }
     const recordings& all = truth.bare();
-    caseDrawing lots(truth, key["seed"]);
-    std::vector<json> cases(these.size());
-    List<runState> states;
-    const label own = truth.hasReplicates();
     const label times = truth.nRecordings();
-    for (label number = 0; number <= these.max(); ++number)
+    caseDrawing lots(truth, key["seed"]);
+    label counted = these.start();
+    for (const caseToMake& one : casesOf(truth, lots, these, kept))
     {
-        const json drawn(lots.draw());
-        if (these(number))
+        ++counted;
+        if (one.failure().size())
         {
-            const label replicate = concealedSide::replicate("truth") + own*number;
-            states.append(statesOf(drawn, all.experiments(), replicate, times));
-            cases[number - these.start()] = drawn;
-        }
-    }
-    const List<prediction> given
-    (
-        kept.empty() ? truth.predict(states) : truth.predict(states, kept)
-    );
-    const label fitted = all.experiments().find("A");
-    const label bare = all.experiments().size();
-    const label each = bare + 2*times - 1;
-
-    for (label i = 0; i < these.size(); ++i)
-    {
-        const label counted = these.start() + i + 1;
-        std::string number(std::to_string(counted));
-        number.insert(0, 4 - min(label(number.size()), label(4)), '0');
-        const UList<prediction> mine(SubList<prediction>(given, each, i*each));
-        const auto failed =
-            std::find_if_not(mine.begin(), mine.end(), std::mem_fn(&prediction::ok));
-        if (failed != mine.end())
-        {
-            Info<< "    No case " << number << ": a run of its truth failed: "
-                << failed->failure.c_str() << endl;
+            Info<< "    No case " << one.name << ": a run of its truth failed: "
+                << one.failure().c_str() << endl;
             continue;
         }
-
-        const fileName target(folder/number);
-        mkDir(target);
-        const scalar level = cases[i]["noise"];
-        forAll(all.channels(), k)
-        {
-            const channel& ch = all.channels()[k];
-            const label e = all.experiments().find(ch.experiment);
-            for (label repeat = 0; repeat < (e == fitted ? times : 1); ++repeat)
-            {
-                const label run = repeat ? bare + 2*repeat - 1 : e;
-                series s(recorded(cases[i], mine[run].channels[k], ch.name));
-                lots.addNoise(s, level*ch.samples.uncertainty, step);
-                writeWhole
-                (
-                    target
-                   /(
-                        repeat
-                      ? concealedSide::repeatName(ch.name, repeat) : ch.name + ".csv"
-                    ),
-                    csv(s, ch.samples.quantity, ch.overTime())
-                );
-            }
-        }
-        writeWhole(target/"level", shortNumber(level) + '\n');
-        const json measured(lots.measured(cases[i]["parameters"], counted));
+        writeRecordings(one, all, times, lots, folder/one.name);
+        const json measured(lots.measured(one.key["parameters"], counted));
         if (!measured.empty())
         {
-            writeWhole(target/"measured", measured.dump(1) + '\n');
+            writeWhole(folder/one.name/"measured", measured.dump(1) + '\n');
         }
-
-        json k = {{"case", number}};
-        k.update(cases[i]);
-        k["effects"] = json::array();
-        for (label repeat = 0; repeat < times; ++repeat)
-        {
-            const label with = repeat ? bare + 2*repeat - 1 : fitted;
-            k["effects"].push_back
-            (
-                effect(all, cases[i], mine[with], mine[bare + 2*repeat])
-            );
-        }
-        key["cases"].push_back(k);
+        key["cases"].push_back(keyOf(one, all, times));
     }
     writeWhole(keyFile, key.dump() + '\n');
 }
