@@ -130,22 +130,32 @@ TEST(demCoupling, hasNoGrainsWithoutTheirDictionary)
 
 TEST(granularProperties, warnsOfDragThatIsSmoothedForMaterialPoints)
 {
-    const auto said = [](const std::string& phase, const std::string& smoothing)
+    const auto said = [](const std::string& smoothing, const std::string& drag)
     {
         boxOfWater w
         (
-            "#remove (LIGGGHTS granularPhase)\ngranularPhase " + phase
-          + ";\nvoidFraction { smoothing { " + smoothing + " } }"
+            "#remove (LIGGGHTS granularPhase)\ngranularPhase materialPoints;\n"
+            "materialPoints { cellSize 0.1; bodies { sand { law linearElastic;"
+            " density 1500; E 1e6; nu 0.2; region { box ((0.2 0.2 0.2) (0.4 0.4 0.4)); }"
+            " } } }\nvoidFraction { smoothing { " + smoothing + " } }\n"
+            "interphaseForces { drag { model " + drag + "; } }"
         );
-        const granularProperties dict(w.box().mesh());
-        return saidDuring([&]() { dict.checkSmoothing(); });
+        return saidDuring([&]{ demCoupling(w.box().mesh(), hydrostatics(g)); });
     };
+    const std::string remedy("Write  drag off;");
 
-    expectSays(said("materialPoints", ""), "Write  drag off;");
-    expectSays(said("materialPoints", "width 2;"), "Write  drag off;");
-    EXPECT_EQ(said("materialPoints", "drag on;"), "");
-    EXPECT_EQ(said("materialPoints", "model none;"), "");
-    EXPECT_EQ(said("LIGGGHTS", ""), "");
+    expectSays(said("", "Beetstra"), remedy);
+    expectSays(said("width 2;", "Beetstra"), remedy);
+    expectSaysNo(said("drag off;", "Beetstra"), remedy);
+    expectSaysNo(said("drag on;", "Beetstra"), remedy);
+    expectSaysNo(said("model none;", "Beetstra"), remedy);
+    expectSaysNo(said("", "none"), remedy);
+
+    boxOfWater ofGrains("interphaseForces { drag { model Beetstra; } }");
+    expectSaysNo
+    (
+        saidDuring([&]{ demCoupling(ofGrains.box().mesh(), hydrostatics(g)); }), remedy
+    );
 }
 
 

@@ -76,16 +76,31 @@ bool Foam::granularProperties::withoutFluid(const fvMesh& mesh)
 }
 
 
+Foam::autoPtr<Foam::granularPhase> Foam::granularProperties::makePhase
+(
+    const fvMesh& mesh,
+    const vector& g
+) const
+{
+    return granularPhase::New(mesh, *this, g, stepsPerExchange_);
+}
+
+
 void Foam::granularProperties::checkSmoothing() const
 {
     const dictionary smoothing
     (
         subOrEmptyDict("voidFraction").subOrEmptyDict("smoothing")
     );
+    const dictionary drag
+    (
+        subOrEmptyDict("interphaseForces").subOrEmptyDict("drag")
+    );
 
     if
     (
         get<word>("granularPhase") == "materialPoints"
+     && drag.lookupOrDefault<word>("model", "none") != "none"
      && smoothing.lookupOrDefault<word>("model", "diffusion") != "none"
      && !smoothing.found("drag")
     )
@@ -96,14 +111,4 @@ void Foam::granularProperties::checkSmoothing() const
             << "    Write  drag off;  in it, or  drag on;  if that is meant."
             << nl << endl;
     }
-}
-
-
-Foam::autoPtr<Foam::granularPhase> Foam::granularProperties::makePhase
-(
-    const fvMesh& mesh,
-    const vector& g
-) const
-{
-    return granularPhase::New(mesh, *this, g, stepsPerExchange_);
 }
