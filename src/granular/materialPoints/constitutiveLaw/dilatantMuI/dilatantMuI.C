@@ -158,6 +158,12 @@ Foam::scalar Foam::dilatantMuI::largestPressure
 }
 
 
+Foam::scalar Foam::dilatantMuI::equilibriumNumber(const scalar phi) const
+{
+    return max(maximum_ - phi, SMALL)/(a_*phi);
+}
+
+
 Foam::dilatantMuI::flow Foam::dilatantMuI::sheared
 (
     const state& trial,
@@ -199,6 +205,16 @@ Foam::dilatantMuI::flow Foam::dilatantMuI::sheared
           - sqr(rest)*(inertia*sqr(rate) + 2*viscosity_*rate);
     };
 
+    // Where I_m is smaller than that at which phi_eq = phi, it compacts
+    if (phi < maximum_)
+    {
+        const scalar I = equilibriumNumber(phi);
+        if (excess(I/(1 + I)) > 0)
+        {
+            return compacted(trial, phi, dt);
+        }
+    }
+
     excess(rootBetween(excess, SMALL, scalar(1)));
     return flow{max(p, scalar(0)), rate};
 }
@@ -212,7 +228,7 @@ Foam::dilatantMuI::flow Foam::dilatantMuI::compacted
 ) const
 {
     // phi_eq = phi says I_m, and the rest is quadratic in the rate
-    const scalar I = max(maximum_ - phi, SMALL)/(a_*phi);
+    const scalar I = equilibriumNumber(phi);
     const scalar mu = static_ + (limit_ - static_)*I/(I + b_);
     const scalar square = mu*sqr(diameter_/I)*solidDensity_;
     const scalar linear =
@@ -233,13 +249,7 @@ Foam::dilatantMuI::state Foam::dilatantMuI::returned
     const scalar dt
 ) const
 {
-    flow after(sheared(trial, phi, dt));
-
-    if (phi < maximum_ && after.p > largestPressure(after.rate, phi))
-    {
-        after = compacted(trial, phi, dt);
-    }
-
+    const flow after(sheared(trial, phi, dt));
     const scalar rootJ2 = trial.rootJ2 - shearModulus()*dt*after.rate;
     return state{after.p, after.p > 0 ? max(rootJ2, scalar(0)) : 0};
 }
