@@ -161,6 +161,7 @@ void checkMade(const json& cases, const fileName& keyFile, const labelRange& the
     }
 }
 
+
 //- A case and where its runs stand, in the order of statesOf
 struct caseToMake
 {
@@ -208,7 +209,7 @@ string nameOf(const label number)
 
 //- These cases and their runs, or what is kept of them; those before are drawn as well, so
 //  that each is the same whatever others are made
-List<caseToMake> casesOf
+List<caseToMake> withRuns
 (
     concealedSide& truth,
     caseDrawing& lots,
@@ -321,7 +322,7 @@ void Foam::misfit::makeCases
     const label times = truth.nRecordings();
     caseDrawing lots(truth, key["seed"]);
     label counted = these.start();
-    for (const caseToMake& one : casesOf(truth, lots, these, kept))
+    for (const caseToMake& one : withRuns(truth, lots, these, kept))
     {
         ++counted;
         if (one.failure().size())
