@@ -328,6 +328,62 @@ TEST(grainForces, giveTheFluidWhatTheyTakeWhereDragIsNotSmoothed)
 }
 
 
+//- Relative error of what grains and fluid exchange where half of the grains' volume
+//  does not fit into its cells, under a pressure and a viscous stress that change
+//  along x
+scalar residualOfFullCells(const string& smoothing)
+{
+    testMesh box;
+    standingGrains phase(box.mesh());
+    place
+    (
+        phase, randomPoints(200, 0.4*vector::one, 0.6*vector::one), 0.05
+    );
+    grainExchange exchange(box.mesh());
+    exchange.locate(phase);
+    voidFraction pores
+    (
+        exchange, entries("minimum 0.7; smoothing { " + smoothing + " }")
+    );
+    pores.update();
+    EXPECT_GT(pores.spreadVolume(), 0.5*pores.mapping().totalVolume());
+
+    const vectorField& at = box.mesh().C();
+    const scalarField x(at.component(vector::X));
+    fluidFields fluid(water(x.size()));
+    fluid.rho = 1000 - 900*x;
+    fluid.viscousForce = sqr(x)*vector(3000, 0, 0);
+    const vectorField none(x.size(), Zero);
+    const fluidMeans means
+    {
+        fluid.U, none, sqr(x)*vector(2e5, 0, -1e5), fluid.viscousForce,
+        scalarField(), Zero
+    };
+
+    interphaseForces forces
+    (
+        exchange,
+        pores,
+        entries
+        (
+            "drag { model Ergun; } viscousForce { strength 1; }"
+        ),
+        g,
+        1
+    );
+    forces.prepare(fluid, interval);
+    forces.finish(inEquation(means, fluid.rho, forces, pores, box.mesh(), g));
+    return forces.residual();
+}
+
+
+TEST(grainForces, giveTheFluidWhatTheyTakeWhereTheyDoNotFitIntoTheirCells)
+{
+    EXPECT_LT(residualOfFullCells("model none;"), 1e-12);
+    EXPECT_LT(residualOfFullCells("width 1;"), 1e-12);
+}
+
+
 //- Power that grains at rest take from water whose velocity changes its sign from
 //  cell to cell, over that which they take from water with one velocity
 scalar dragOnTheShortestWave(const string& smoothing)
@@ -394,7 +450,7 @@ TEST(grainForces, sumUpWithoutWhatWallsGive)
         grainForces forces
         (
             exchange,
-            pores.mapping(),
+            pores,
             entries("drag { model SchillerNaumann; } " + lubrication),
             g,
             1

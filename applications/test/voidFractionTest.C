@@ -173,6 +173,25 @@ void expectSpread()
     EXPECT_LT(lost, 1e-13);
     EXPECT_LT(most, 0.7 + 1e-8);
     EXPECT_GE(gMin(p.solidFraction()), 0);
+
+    // What acts on it where it went is what grains get
+    scalarField u(test.mesh().nCells());
+    forAll(u, cell)
+    {
+        u[cell] = std::cos(test.mesh().C()[cell] & vector(13, 29, 17));
+    }
+    const particleMeshMapping& mapping = p.mapping();
+    const auto onGrains = [&](const scalarField& cells)
+    {
+        return gSum(scalarField(mapping.volumes()*mapping.gather(cells)));
+    };
+    const scalar onCells
+    (
+        gSum(scalarField(test.mesh().V().field()*p.solidFraction()*u))
+    );
+
+    EXPECT_GT(mag(onGrains(u) - onCells), 0.01*mag(onCells));
+    EXPECT_NEAR(onGrains(p.excess().seenFromCells(u))/onCells, 1, 1e-12);
 }
 
 } // End anonymous namespace

@@ -19,18 +19,19 @@ namespace
 Foam::grainForces::grainForces
 (
     const grainExchange& exchange,
-    const particleMeshMapping& mapping,
+    const voidFraction& pores,
     const dictionary& dict,
     const hydrostatics& rest,
     const scalar coarseGraining
 )
 :
     exchange_(exchange),
-    mapping_(mapping),
+    voidFraction_(pores),
+    mapping_(pores.mapping()),
     rest_(rest),
     coarseGraining_(coarseGraining),
     laws_(exchange.mesh(), dict),
-    meanVelocity_(exchange, mapping)
+    meanVelocity_(exchange, mapping_)
 {
     if (coarseGraining_ > 1 && laws_.lubrication.strength() > 0)
     {
@@ -296,6 +297,35 @@ void Foam::grainForces::start(const vectorField& pressureGradient)
 }
 
 
+Foam::List<Foam::vector> Foam::grainForces::loadElsewhere
+(
+    const fluidMeans& means
+) const
+{
+    const excessVolume& excess = voidFraction_.excess();
+
+    if (!excess.moved())
+    {
+        return List<vector>();
+    }
+
+    const vectorField atRest(rest_.gradient(means.rho));
+    vectorField load
+    (
+       -laws_.pressureGradient
+       *(atRest + laws_.excessPressure*(means.pressureGradient - atRest))
+    );
+    if (laws_.viscousForce > 0)
+    {
+        load += laws_.viscousForce*means.viscousForce;
+    }
+    load = excess.seenFromCells(load) - load;
+    mapping_.ofVolume().smooth(load);
+
+    return mapping_.weights().reached(List<vector>(std::move(load)));
+}
+
+
 Foam::Tuple2<Foam::vector, Foam::scalar> Foam::grainForces::finish
 (
     const fluidMeans& means,
@@ -307,6 +337,7 @@ Foam::Tuple2<Foam::vector, Foam::scalar> Foam::grainForces::finish
     (
         mapping_, laws_, rho, means.acceleration, means.viscousForce
     );
+    const List<vector> elsewhere(loadElsewhere(means));
     const cellWeights& weights = mapping_.weights();
     const scalarField& volumes = mapping_.volumes();
     vector sum(Zero);
@@ -334,6 +365,11 @@ Foam::Tuple2<Foam::vector, Foam::scalar> Foam::grainForces::finish
             force_[i] +=
                 virtualMass_[i]*here.acceleration
               + laws_.viscousForce*volumes[i]*here.viscousForce;
+        }
+
+        if (elsewhere.size())
+        {
+            force_[i] += volumes[i]*weights.mean(elsewhere, i);
         }
 
         sum += force_[i];

@@ -15,7 +15,7 @@ Foam::interphaseForces::interphaseForces
     mesh_(exchange.mesh()),
     voidFraction_(pores),
     rest_(rest),
-    grains_(exchange, pores.mapping(), dict, rest, coarseGraining),
+    grains_(exchange, pores, dict, rest, coarseGraining),
     division_(mesh_),
     dragCoefficient_(mesh_.nCells(), Zero),
     virtualMassCoefficient_(mesh_.nCells(), Zero),

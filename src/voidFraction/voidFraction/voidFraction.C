@@ -4,7 +4,6 @@
 #include "voidFraction.H"
 
 #include "keywords.H"
-#include "syncTools.H"
 
 Foam::voidFraction::voidFraction
 (
@@ -17,7 +16,7 @@ Foam::voidFraction::voidFraction
     mapping_(exchange, keywords::sub(dict, "smoothing")),
     minimum_(dict.lookupOrDefault<scalar>("minimum", 0.3)),
     solidFraction_(mesh_.nCells(), Zero),
-    spreadVolume_(0)
+    excess_(mesh_, 1 - minimum_)
 {
     wordList known({"model", "minimum", "smoothing"});
     known.append(model_->ownKeywords());
@@ -48,92 +47,26 @@ void Foam::voidFraction::update()
     );
 
     solidFraction_ = mapping_.spread(mapping_.volumes());
-    spreadExcess();
+    excess_.distribute(solidFraction_);
+    report();
 }
 
 
-Foam::scalarField Foam::voidFraction::sumOverNeighbours
-(
-    const scalarField& cells
-) const
+void Foam::voidFraction::report()
 {
-    scalarField sum(cells.size(), Zero);
-
-    for (label f = 0; f < mesh_.nInternalFaces(); ++f)
+    if (excess_.left() > max(1e-3*minimum_, 2*warnedOf_))
     {
-        sum[mesh_.owner()[f]] += cells[mesh_.neighbour()[f]];
-        sum[mesh_.neighbour()[f]] += cells[mesh_.owner()[f]];
-    }
-
-    scalarField behind;
-    syncTools::swapBoundaryCellList(mesh_, cells, behind);
-
-    for (const fvPatch& patch : mesh_.boundary())
-    {
-        if (patch.coupled())
-        {
-            forAll(patch, i)
-            {
-                sum[patch.faceCells()[i]] +=
-                    behind[patch.start() + i - mesh_.nInternalFaces()];
-            }
-        }
-    }
-
-    return sum;
-}
-
-
-void Foam::voidFraction::spreadExcess()
-{
-    const scalarField& volume = mesh_.V();
-    const scalar most = 1 - minimum_;
-
-    // Rounds grow with the square of the cells across what is too full
-    const label nRounds = 1000;
-    const scalar roundOff = 1e-9;
-    scalar largest = 0;
-
-    spreadVolume_ = 0;
-
-    // Most often there is nothing to spread
-    scalarField nNeighbours;
-
-    for (label round = 0; round <= nRounds; ++round)
-    {
-        const scalarField excess(max(solidFraction_ - most, scalar(0)));
-        largest = gMax(excess);
-
-        if (largest < roundOff || round == nRounds)
-        {
-            break;
-        }
-
-        // What does not fit goes in equal parts to the cells around
-        if (!round)
-        {
-            nNeighbours = sumOverNeighbours(scalarField(excess.size(), 1));
-        }
-        const scalarField part(excess*volume/max(nNeighbours, scalar(1)));
-
-        solidFraction_ +=
-            (sumOverNeighbours(part) - nNeighbours*part)/volume;
-        spreadVolume_ += gSum(nNeighbours*part);
-    }
-
-    if (largest > max(1e-3*minimum_, 2*warnedOf_))
-    {
-        warnedOf_ = largest;
+        warnedOf_ = excess_.left();
         WarningInFunction
             << "The void fraction is below the minimum of " << minimum_ << " by "
-            << largest << ": the grains do not fit into the cells around either."
+            << warnedOf_ << ": the grains do not fit into the cells around either."
             << nl << "    Take a lower minimum or larger cells" << endl;
     }
 
-    if (spreadVolume_ > 0)
+    if (excess_.moved())
     {
         Info<< "    grain volume spread over neighbouring cells, since the"
             << " void fraction would be below " << minimum_ << ": "
-            << 100*spreadVolume_/mapping_.totalVolume() << " %" << endl;
+            << 100*spreadVolume()/mapping_.totalVolume() << " %" << endl;
     }
 }

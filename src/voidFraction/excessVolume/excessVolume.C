@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The volume of grains that does not fit into their cells, and where it goes.
+
+#include "excessVolume.H"
+
+void Foam::excessVolume::moveOn(scalarField& solidFraction)
+{
+    const scalarField& volume = mesh_.V();
+    DynamicList<transfer> round;
+    scalarField part(volume.size(), Zero);
+    scalar moved = 0;
+
+    if (nNeighbours_.empty())
+    {
+        nNeighbours_ = sumOverNeighbours(labelField(volume.size(), 1));
+    }
+
+    forAll(solidFraction, cell)
+    {
+        const scalar excess = solidFraction[cell] - most_;
+        const label n = nNeighbours_[cell];
+
+        // In equal parts
+        if (excess > 0 && n)
+        {
+            part[cell] = excess*volume[cell]/n;
+            round.append({cell, excess/solidFraction[cell]/n});
+            moved += excess*volume[cell];
+        }
+    }
+
+    const scalarField come(sumOverNeighbours(part));
+    forAll(solidFraction, cell)
+    {
+        solidFraction[cell] +=
+            (come[cell] - nNeighbours_[cell]*part[cell])/volume[cell];
+    }
+
+    rounds_.append(List<transfer>(std::move(round)));
+    moved_ += returnReduce(moved, sumOp<scalar>());
+}
+
+
+void Foam::excessVolume::distribute(scalarField& solidFraction)
+{
+    // Rounds grow with the square of the cells across what is too full
+    const label nRounds = 1000;
+    const scalar roundOff = 1e-9;
+
+    rounds_.clear();
+    moved_ = 0;
+
+    for (label round = 0; round <= nRounds; ++round)
+    {
+        left_ = max(gMax(solidFraction) - most_, scalar(0));
+
+        if (left_ < roundOff || round == nRounds)
+        {
+            return;
+        }
+
+        moveOn(solidFraction);
+    }
+}
