@@ -34,9 +34,9 @@ Foam::demCoupling::demCoupling
     }
 
     const granularProperties dict(mesh);
-    dict.checkSmoothing();
 
     phase_ = dict.makePhase(mesh, rest.g());
+    dict.checkSmoothing(*phase_);
     exchange_.reset(new grainExchange(mesh));
     voidFraction_.reset
     (

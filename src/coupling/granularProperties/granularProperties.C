@@ -86,7 +86,7 @@ Foam::autoPtr<Foam::granularPhase> Foam::granularProperties::makePhase
 }
 
 
-void Foam::granularProperties::checkSmoothing() const
+void Foam::granularProperties::checkSmoothing(const granularPhase& phase) const
 {
     const dictionary smoothing
     (
@@ -99,7 +99,7 @@ void Foam::granularProperties::checkSmoothing() const
 
     if
     (
-        get<word>("granularPhase") == "materialPoints"
+        !phase.touchesAtRadius()
      && drag.lookupOrDefault<word>("model", "none") != "none"
      && smoothing.lookupOrDefault<word>("model", "diffusion") != "none"
      && !smoothing.found("drag")
