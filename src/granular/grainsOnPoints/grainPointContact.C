@@ -8,28 +8,11 @@
 #include "keywords.H"
 #include "pointGrid.H"
 #include "pointSet.H"
+#include "swapLists.H"
 
 namespace
 {
     using namespace Foam;
-
-    //- Numbers of a grain: place, velocity, spin, radius and mass; and what acts
-    //  on it: force, torque
-    enum { PLACE = 0, VELOCITY = 3, SPIN = 6, RADIUS = 9, MASS = 10, ALL = 11 };
-    enum { FORCE = 0, TORQUE = 3, GIVEN = 6 };
-
-    vector at(const UList<scalar>& numbers, const label i)
-    {
-        return vector(numbers[i], numbers[i + 1], numbers[i + 2]);
-    }
-
-    void put(UList<scalar>& numbers, const label i, const vector& v)
-    {
-        for (direction d = 0; d < 3; ++d)
-        {
-            numbers[i + d] = v[d];
-        }
-    }
 
     //- The dictionary; its keywords are checked before any is read, since a
     //  misspelt one would be missed first, without the list of valid ones
@@ -70,7 +53,8 @@ Foam::grainPointContact::grainPointContact
     ),
     // Midway between two points in a plane, amid four of a square in space
     opening_(0.5*distance*sqrt(scalar(nDims - 1)) - radius_),
-    begin_(0)
+    bounds_(Pstream::nProcs()),
+    sent_(Pstream::nProcs())
 {
     if (!(friction_ >= 0))
     {
@@ -97,7 +81,10 @@ void Foam::grainPointContact::sort
     first_.setSize(grid.nNodes());
     first_ = -1;
     next_.setSize(points.size());
-    bounds_ = boundBox(points.x, true);
+
+    bounds_[Pstream::myProcNo()] = boundBox(points.x, false);
+    Pstream::gatherList(bounds_);
+    compatibility::broadcast(bounds_);
 
     forAll(points.x, i)
     {
@@ -117,6 +104,7 @@ bool Foam::grainPointContact::isNear
 (
     const point& p,
     const scalar reach,
+    const boundBox& bounds,
     const pointGrid& grid
 ) const
 {
@@ -126,70 +114,75 @@ bool Foam::grainPointContact::isNear
         const direction d = grid.axes()[k];
         result =
             result
-         && p[d] > bounds_.min()[d] - reach
-         && p[d] < bounds_.max()[d] + reach;
+         && p[d] > bounds.min()[d] - reach
+         && p[d] < bounds.max()[d] + reach;
     }
     return result;
 }
 
 
-void Foam::grainPointContact::collect
+Foam::label Foam::grainPointContact::find
 (
     const grainsInStep& grains,
     const pointGrid& grid
 )
 {
-    List<scalarList> ofRanks(Pstream::nProcs());
-    DynamicList<scalar> numbers;
-    mine_.clear();
+    label n = 0;
 
-    forAll(grains.position, i)
+    forAll(sent_, rank)
     {
-        if (isNear(grains.position[i], grains.radius[i] + radius_, grid))
+        sent_[rank].clear();
+        forAll(grains.position, i)
         {
-            mine_.append(i);
-            numbers.setSize(ALL*mine_.size());
-            SubList<scalar> last(numbers, ALL, numbers.size() - ALL);
-            put(last, PLACE, grains.position[i]);
-            put(last, VELOCITY, grains.velocity[i]);
-            put(last, SPIN, grains.angularVelocity[i]);
-            last[RADIUS] = grains.radius[i];
-            last[MASS] = grains.mass[i];
+            const scalar reach = grains.radius[i] + radius_;
+            if (isNear(grains.position[i], reach, bounds_[rank], grid))
+            {
+                sent_[rank].append(i);
+            }
+        }
+        n += sent_[rank].size();
+    }
+
+    return n;
+}
+
+
+Foam::List<Foam::List<Foam::grainPointContact::bead>>
+Foam::grainPointContact::collect(const grainsInStep& grains) const
+{
+    List<List<bead>> toRanks(sent_.size());
+
+    forAll(sent_, rank)
+    {
+        toRanks[rank].setSize(sent_[rank].size());
+        forAll(sent_[rank], j)
+        {
+            const label i = sent_[rank][j];
+            toRanks[rank][j] = bead
+            {
+                grains.position[i],
+                grains.velocity[i],
+                grains.angularVelocity[i],
+                grains.radius[i],
+                grains.mass[i]
+            };
         }
     }
 
-    const label me = Pstream::myProcNo();
-    ofRanks[me] = std::move(numbers);
-
-    // In most steps of a run there may be none
-    if (Pstream::parRun() && returnReduce(mine_.size(), sumOp<label>()))
-    {
-        Pstream::gatherList(ofRanks);
-        compatibility::broadcast(ofRanks);
-    }
-
-    begin_ = 0;
-    grains_.clear();
-    forAll(ofRanks, rank)
-    {
-        begin_ += rank < me ? ofRanks[rank].size()/ALL : 0;
-        grains_.append(ofRanks[rank]);
-    }
+    return swapLists(std::move(toRanks));
 }
 
 
 void Foam::grainPointContact::check
 (
-    const label grain,
+    const bead& grain,
     const label i,
     const pointSet& points
 ) const
 {
-    const SubList<scalar> bead(grains_, ALL, ALL*grain);
-    const scalar r = bead[RADIUS];
-    const scalar mass = bead[MASS];
+    const scalar r = grain.radius;
 
-    if (r > opening_ && mass >= points.mass[i])
+    if (r > opening_ && grain.mass >= points.mass[i])
     {
         return;
     }
@@ -201,8 +194,8 @@ void Foam::grainPointContact::check
       : "Grains so small slip between points as these lie at the start.";
 
     FatalErrorInFunction
-        << "The grain of " << mass << " kg and radius " << r << " m at "
-        << at(bead, PLACE) << " m touches the point " << points.id[i] << " of "
+        << "The grain of " << grain.mass << " kg and radius " << r << " m at "
+        << grain.position << " m touches the point " << points.id[i] << " of "
         << points.mass[i] << " kg." << nl
         << "    " << why << nl
         << "    Lower materialPoints/cellSize or raise pointsPerCell, so that"
@@ -212,19 +205,18 @@ void Foam::grainPointContact::check
 
 void Foam::grainPointContact::push
 (
-    const label grain,
+    const bead& grain,
+    load& given,
     const label i,
     const pointSet& points,
     const vector& from,
     UList<vector>& force,
     const scalar step
-)
+) const
 {
     check(grain, i, points);
 
-    const SubList<scalar> bead(grains_, ALL, ALL*grain);
-    SubList<scalar> given(given_, GIVEN, GIVEN*grain);
-    const scalar r = bead[RADIUS];
+    const scalar r = grain.radius;
     const scalar distance = mag(from);
 
     if (distance < 0.5*r)
@@ -243,34 +235,35 @@ void Foam::grainPointContact::push
     const vector arm(-r*n);
     vector sliding
     (
-        at(bead, VELOCITY) + (at(bead, SPIN)^arm) - points.U[i]
+        grain.velocity + (grain.spin^arm) - points.U[i]
     );
     sliding -= (sliding & n)*n;
 
     // What a force at the surface meets: a sphere gives way by its spin as well
-    const scalar mass = 1/(3.5/bead[MASS] + 1/points.mass[i]);
+    const scalar mass = 1/(3.5/grain.mass + 1/points.mass[i]);
     const scalar speed = mag(sliding);
     const scalar tangential = min(friction_*normal, mass*speed/step);
     const vector friction(-tangential/max(speed, VSMALL)*sliding);
     const vector sum(normal*n + friction);
 
-    put(given, FORCE, at(given, FORCE) + sum);
-    put(given, TORQUE, at(given, TORQUE) + (arm^friction));
+    given.force += sum;
+    given.torque += arm^friction;
     force[i] -= sum;
 }
 
 
-void Foam::grainPointContact::touch
+Foam::grainPointContact::load Foam::grainPointContact::touch
 (
-    const label grain,
+    const bead& grain,
     const pointGrid& grid,
     const pointSet& points,
     UList<vector>& force,
     const scalar step
-)
+) const
 {
-    const point centre(at(grains_, ALL*grain + PLACE));
-    const scalar reach = grains_[ALL*grain + RADIUS] + radius_;
+    const point& centre = grain.position;
+    const scalar reach = grain.radius + radius_;
+    load given;
     const vector away(vector::uniform(reach));
     FixedList<label, 3> low(0), high(0);
 
@@ -307,12 +300,14 @@ void Foam::grainPointContact::touch
                     }
                     if (magSqr(from) < sqr(reach))
                     {
-                        push(grain, i, points, from, force, step);
+                        push(grain, given, i, points, from, force, step);
                     }
                 }
             }
         }
     }
+
+    return given;
 }
 
 
@@ -325,28 +320,35 @@ void Foam::grainPointContact::act
     const scalar step
 )
 {
-    collect(grains, grid);
-    const label n = grains_.size()/ALL;
-    given_.setSize(GIVEN*n);
-    given_ = 0;
-
-    for (label grain = 0; grain < n; ++grain)
+    // In most steps of a run there may be none
+    if (!returnReduce(find(grains, grid), sumOp<label>()))
     {
-        touch(grain, grid, points, force, step);
+        return;
     }
 
-    if (n && Pstream::parRun())
+    const List<List<bead>> ofRanks(collect(grains));
+    List<List<load>> given(ofRanks.size());
+
+    forAll(ofRanks, rank)
     {
-        Pstream::listCombineGather(given_, plusEqOp<scalar>());
-        compatibility::broadcast(given_);
+        given[rank].setSize(ofRanks[rank].size());
+        forAll(ofRanks[rank], j)
+        {
+            given[rank][j] =
+                touch(ofRanks[rank][j], grid, points, force, step);
+        }
     }
 
+    const List<List<load>> fromRanks(swapLists(std::move(given)));
     UList<vector> forces(grains.force);
     UList<vector> torques(grains.torque);
-    forAll(mine_, i)
+
+    forAll(sent_, rank)
     {
-        const label from = GIVEN*(begin_ + i);
-        forces[mine_[i]] = at(given_, from + FORCE);
-        torques[mine_[i]] = at(given_, from + TORQUE);
+        forAll(sent_[rank], j)
+        {
+            forces[sent_[rank][j]] += fromRanks[rank][j].force;
+            torques[sent_[rank][j]] += fromRanks[rank][j].torque;
+        }
     }
 }
