@@ -346,7 +346,7 @@ scalar residualOfFullCells(const string& smoothing)
         exchange, entries("minimum 0.7; smoothing { " + smoothing + " }")
     );
     pores.update();
-    EXPECT_GT(pores.spreadVolume(), 0.5*pores.mapping().totalVolume());
+    EXPECT_GT(pores.excess().volume(), 0.5*pores.mapping().totalVolume());
 
     const vectorField& at = box.mesh().C();
     const scalarField x(at.component(vector::X));

@@ -30,7 +30,7 @@ scalarList capShares
 
     voidFraction pores(exchange, settings("sphereCaps", "none"));
     pores.update();
-    EXPECT_EQ(pores.spreadVolume(), 0);
+    EXPECT_EQ(pores.excess().volume(), 0);
 
     scalarList shares;
     for (const point& at : places)

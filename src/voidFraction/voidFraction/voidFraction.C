@@ -67,6 +67,6 @@ void Foam::voidFraction::report()
     {
         Info<< "    grain volume spread over neighbouring cells, since the"
             << " void fraction would be below " << minimum_ << ": "
-            << 100*spreadVolume()/mapping_.totalVolume() << " %" << endl;
+            << 100*excess_.volume()/mapping_.totalVolume() << " %" << endl;
     }
 }
