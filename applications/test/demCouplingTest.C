@@ -151,6 +151,18 @@ TEST(granularProperties, warnsOfDragThatIsSmoothedForMaterialPoints)
     expectSaysNo(said("model none;", "Beetstra"), remedy);
     expectSaysNo(said("", "none"), remedy);
 
+    boxOfWater byDefault
+    (
+        "#remove (LIGGGHTS granularPhase)\ngranularPhase materialPoints;\n"
+        "materialPoints { cellSize 0.1; bodies { sand { law linearElastic;"
+        " density 1500; E 1e6; nu 0.2; region { box ((0.2 0.2 0.2) (0.4 0.4 0.4)); }"
+        " } } }"
+    );
+    expectSays
+    (
+        saidDuring([&]{ demCoupling(byDefault.box().mesh(), hydrostatics(g)); }), remedy
+    );
+
     boxOfWater ofGrains("interphaseForces { drag { model Beetstra; } }");
     expectSaysNo
     (

@@ -371,6 +371,15 @@ scalar residualOfFullCells(const string& smoothing)
         g,
         1
     );
+
+    // Before the first exchange as well
+    forces.start(means.pressureGradient);
+    const vector onCells
+    (
+        sum(box.mesh().V().field()*pores.solidFraction()*means.pressureGradient)
+    );
+    EXPECT_LT(mag(sum(forces.force()) + onCells), 1e-12*mag(onCells));
+
     forces.prepare(fluid, interval);
     forces.finish(inEquation(means, fluid.rho, forces, pores, box.mesh(), g));
     return forces.residual();

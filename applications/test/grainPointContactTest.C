@@ -129,6 +129,21 @@ TEST(grainPointContact, frictionStopsASphereThatSpinsInAStepAndNoMore)
 }
 
 
+TEST(grainPointContact, nothingActsAcrossASlice)
+{
+    grainAndPoint alone(0.02, 0.1), across(0.02, 0.1);
+    across.U[0].y() = 3;
+    for (grainAndPoint* both : {&alone, &across})
+    {
+        both->touch("stiffness 1000; friction 0.5;");
+    }
+
+    EXPECT_EQ(across.force[0], alone.force[0]);
+    EXPECT_EQ(across.force[0].y(), 0);
+    EXPECT_LT(across.force[0].x(), -0.04);
+}
+
+
 TEST(grainPointContact, aGrainLighterThanAPointIsRefused)
 {
     EXPECT_EQ(saidOf(0.02, 0.02), "nothing");

@@ -366,6 +366,26 @@ TEST(grainsOnPoints, whatIsNotSupportedIsNamed)
 }
 
 
+TEST(grainsOnPoints, stepsOfThePointsAreNoLongerThanContactAllows)
+{
+    // 1.9 and 3.4 DEM steps at the most; a point has 15 g
+    for (const auto& [most, steps] : {std::pair(1.9, 10), std::pair(3.4, 4)})
+    {
+        beadsAndPoints what;
+        what.contact =
+            "stiffness " + std::to_string(0.015*sqr(0.5/(most*5e-5))) + ";";
+        EXPECT_NE
+        (
+            saidDuring([&]() { beadsOnPoints all(what); }).find
+            (
+                std::to_string(steps) + " steps of the points in 10 DEM steps"
+            ),
+            std::string::npos
+        );
+    }
+}
+
+
 TEST(grainsOnPoints, aWrongContactIsNamed)
 {
     beadsAndPoints what;

@@ -3,6 +3,7 @@
 
 #include "OSspecific.H"
 #include "foamCompatibility.H"
+#include "materialPointsPhase.H"
 #include "testPointsPhase.H"
 
 #include <gtest/gtest.h>
@@ -127,6 +128,74 @@ TEST(materialPointsPhase, aRestartAsSettlingEndsIsExactToTheLastBit)
 {
     expectRestartAsSettlingEnds(TimeOfMesh::behind);
     expectRestartAsSettlingEnds(TimeOfMesh::ahead);
+}
+
+
+TEST(materialPointsPhase, aRestartAsTheFastestLeavesIsExactToTheLastBit)
+{
+    testMesh box(slice("patch"));
+    const fileName folder(box.time().timePath()/granularPhase::stateFolder);
+    const auto goOn = [&]()
+    {
+        const string text
+        (
+            "granularPhase materialPoints; materialPoints { cellSize 0.02;"
+            " timeStep 1e-4; outflow (xMax); bodies { sand { " + sand
+          + " U (4 0 0); region { box ((0.6 0 0) (0.8 1 0.2)); } } } }"
+        );
+        return granularPhase::New
+        (
+            box.mesh(), dictionary(IStringStream(text)()), down, 10
+        );
+    };
+    const auto step = [](const granularPhase& phase)
+    {
+        return refCast<const materialPointsPhase>(phase).method().stableStep();
+    };
+    auto whole = goOn();
+    label restarts = 0;
+
+    while (whole->nLeft() < 300)
+    {
+        const label before = whole->nLeft();
+        whole->advance();
+
+        if (whole->nLeft() > before)
+        {
+            mkDir(folder);
+            ASSERT_TRUE(whole->writeState(folder));
+            auto second = goOn();
+            ASSERT_TRUE(second->restarted());
+            EXPECT_EQ(step(*second), step(*whole));
+            whole->advance();
+            second->advance();
+            EXPECT_EQ(furthest(*whole, *second), 0);
+            ++restarts;
+        }
+    }
+    EXPECT_GT(restarts, 5);
+}
+
+
+TEST(materialPointsPhase, aStateOfAHigherMeshIsRefused)
+{
+    testMesh box(slice());
+    const string here("box ((0 0 0) (0.2 1 0.4));");
+    auto high = points(box.mesh(), here);
+    high->advance();
+
+    testBox cut(slice());
+    cut.span.z() = 0.2;
+    testMesh low(cut);
+    const fileName folder(low.time().timePath()/granularPhase::stateFolder);
+    mkDir(folder);
+    ASSERT_TRUE(high->writeState(folder));
+
+    EXPECT_NE
+    (
+        refusal([&]() { points(low.mesh(), here); }).find("not in the mesh"),
+        std::string::npos
+    );
 }
 
 

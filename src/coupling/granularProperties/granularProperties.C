@@ -100,7 +100,7 @@ void Foam::granularProperties::checkSmoothing(const granularPhase& phase) const
     if
     (
         !phase.touchesAtRadius()
-     && drag.lookupOrDefault<word>("model", "none") != "none"
+     && drag.lookupOrDefault<word>("model", "DiFelice") != "none"
      && smoothing.lookupOrDefault<word>("model", "diffusion") != "none"
      && !smoothing.found("drag")
     )

@@ -22,6 +22,18 @@ namespace
         return dict;
     }
 
+    //- A vector without what is across a slice
+    vector solved(const vector& v, const pointGrid& grid)
+    {
+        vector result(Zero);
+        for (label k = 0; k < grid.nDims(); ++k)
+        {
+            const direction d = grid.axes()[k];
+            result[d] = v[d];
+        }
+        return result;
+    }
+
     scalar positive(const dictionary& dict, const word& key, const scalar value)
     {
         if (!(value > 0))
@@ -86,6 +98,12 @@ void Foam::grainPointContact::sort
     Pstream::gatherList(bounds_);
     compatibility::broadcast(bounds_);
 
+    allBounds_ = boundBox();
+    for (const boundBox& bounds : bounds_)
+    {
+        allBounds_.add(bounds);
+    }
+
     forAll(points.x, i)
     {
         FixedList<label, 3> cell(0);
@@ -127,15 +145,29 @@ Foam::label Foam::grainPointContact::find
     const pointGrid& grid
 )
 {
-    label n = 0;
+    const auto near = [&](const label i, const boundBox& bounds)
+    {
+        const scalar reach = grains.radius[i] + radius_;
+        return isNear(grains.position[i], reach, bounds, grid);
+    };
 
+    // Most grains may be far from all points
+    DynamicList<label> candidates;
+    forAll(grains.position, i)
+    {
+        if (near(i, allBounds_))
+        {
+            candidates.append(i);
+        }
+    }
+
+    label n = 0;
     forAll(sent_, rank)
     {
         sent_[rank].clear();
-        forAll(grains.position, i)
+        for (const label i : candidates)
         {
-            const scalar reach = grains.radius[i] + radius_;
-            if (isNear(grains.position[i], reach, bounds_[rank], grid))
+            if (near(i, bounds_[rank]))
             {
                 sent_[rank].append(i);
             }
@@ -208,6 +240,7 @@ void Foam::grainPointContact::push
     const bead& grain,
     load& given,
     const label i,
+    const pointGrid& grid,
     const pointSet& points,
     const vector& from,
     UList<vector>& force,
@@ -238,6 +271,7 @@ void Foam::grainPointContact::push
         grain.velocity + (grain.spin^arm) - points.U[i]
     );
     sliding -= (sliding & n)*n;
+    sliding = solved(sliding, grid);
 
     // What a force at the surface meets: a sphere gives way by its spin as well
     const scalar mass = 1/(3.5/grain.mass + 1/points.mass[i]);
@@ -292,15 +326,10 @@ Foam::grainPointContact::load Foam::grainPointContact::touch
                     i = next_[i]
                 )
                 {
-                    vector from(Zero);
-                    for (label k = 0; k < grid.nDims(); ++k)
-                    {
-                        const direction d = grid.axes()[k];
-                        from[d] = centre[d] - points.x[i][d];
-                    }
+                    const vector from(solved(centre - points.x[i], grid));
                     if (magSqr(from) < sqr(reach))
                     {
-                        push(grain, given, i, points, from, force, step);
+                        push(grain, given, i, grid, points, from, force, step);
                     }
                 }
             }

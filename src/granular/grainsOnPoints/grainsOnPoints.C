@@ -100,7 +100,8 @@ Foam::dictionary Foam::grainsOnPoints::withStep
 {
     dictionary result(dict);
     dictionary points(keywords::sub(dict, "materialPoints"));
-    points.set("timeStep", step);
+    // set() would round it to the digits that are written
+    points.add("timeStep", step, true);
     result.set("materialPoints", points);
 
     // No fluid reaches these points: a grainDiameter is of the law alone
@@ -143,7 +144,7 @@ Foam::grainsOnPoints::grainsOnPoints
     ),
     pointSteps_(readPointSteps()),
     done_(0),
-    waiting_(0)
+    moved_(0)
 {
     contact_.sort(points_.method().grid(), points_.method().points());
     refresh();
@@ -164,12 +165,13 @@ Foam::scalar Foam::grainsOnPoints::pointDistance() const
 
 Foam::label Foam::grainsOnPoints::readPointSteps() const
 {
+    // Of all that there were at the start, so that a restart has the same
     scalar lightest = GREAT;
-    for (const scalar mass : points_.mass())
+    for (const constitutiveLaw& law : points_.method().laws())
     {
-        lightest = min(lightest, mass);
+        lightest = min(lightest, law.density());
     }
-    reduce(lightest, minOp<scalar>());
+    lightest *= points_.method().grid().cubeVolume(pointDistance());
 
     const scalar limit = contact_.largestStep(lightest);
 
@@ -182,12 +184,21 @@ Foam::label Foam::grainsOnPoints::readPointSteps() const
             << " LIGGGHTS script." << exit(FatalIOError);
     }
 
+    // Whole DEM steps, and no more of them than fit
     const scalar step = min(limit, points_.method().restStep());
-    return min
+    const label most = max
     (
-        stepsPerExchange(),
-        label(std::ceil(exchangeInterval()/step*(1 - 1e-9)))
+        label(1),
+        label(min(step/timeStep()*(1 + 1e-9), scalar(stepsPerExchange())))
     );
+    return (stepsPerExchange() + most - 1)/most;
+}
+
+
+Foam::label Foam::grainsOnPoints::begins(const label k) const
+{
+    const int64_t n = stepsPerExchange();
+    return label((k*n + pointSteps_ - 1)/pointSteps_);
 }
 
 
@@ -196,33 +207,24 @@ void Foam::grainsOnPoints::inStep(const grainsInStep& grains)
     const pointGrid& grid = points_.method().grid();
     const pointSet& points = points_.method().points();
 
-    contact_.act
-    (
-        grains,
-        grid,
-        points,
-        points_.force(),
-        exchangeInterval()/pointSteps_
-    );
+    const label waiting = begins(moved_ + 1) - begins(moved_);
 
-    const label before = done_*pointSteps_/stepsPerExchange();
-    ++done_;
-    ++waiting_;
+    contact_.act(grains, grid, points, points_.force(), waiting*timeStep());
 
-    if (done_*pointSteps_/stepsPerExchange() > before)
+    if (++done_ == begins(moved_ + 1))
     {
         for (vector& force : points_.force())
         {
-            force /= waiting_;
+            force /= waiting;
         }
-        points_.move(waiting_*timeStep());
+        points_.move(waiting*timeStep());
         for (vector& force : points_.force())
         {
             force = Zero;
         }
 
         contact_.sort(grid, points);
-        waiting_ = 0;
+        ++moved_;
     }
 }
 
@@ -242,6 +244,7 @@ void Foam::grainsOnPoints::setFluidForce
 void Foam::grainsOnPoints::advance()
 {
     done_ = 0;
+    moved_ = 0;
     points_.begin();
     grains_.advance();
     points_.end();

@@ -283,7 +283,10 @@ Foam::List<Foam::givenByGrain> Foam::grainForces::prepare
 
 void Foam::grainForces::start(const vectorField& pressureGradient)
 {
-    const vectorField gradient(mapping_.gather(pressureGradient));
+    const vectorField gradient
+    (
+        mapping_.gather(voidFraction_.excess().seenFromCells(pressureGradient))
+    );
 
     force_.setSize(gradient.size());
     torque_.setSize(gradient.size());

@@ -10,7 +10,8 @@ void Foam::excessVolume::moveOn(scalarField& solidFraction)
     scalarField part(volume.size(), Zero);
     scalar moved = 0;
 
-    if (nNeighbours_.empty())
+    // A rank may have no cells: all count in the same round
+    if (!nRounds_)
     {
         nNeighbours_ = sumOverNeighbours(labelField(volume.size(), 1));
     }
@@ -36,7 +37,10 @@ void Foam::excessVolume::moveOn(scalarField& solidFraction)
             (come[cell] - nNeighbours_[cell]*part[cell])/volume[cell];
     }
 
-    rounds_.append(List<transfer>(std::move(round)));
+    if (nRounds_++ < mostKept)
+    {
+        rounds_.append(List<transfer>(std::move(round)));
+    }
     moved_ += returnReduce(moved, sumOp<scalar>());
 }
 
@@ -44,21 +48,24 @@ void Foam::excessVolume::moveOn(scalarField& solidFraction)
 void Foam::excessVolume::distribute(scalarField& solidFraction)
 {
     // Rounds grow with the square of the cells across what is too full
-    const label nRounds = 1000;
+    const label mostRounds = 1000;
     const scalar roundOff = 1e-9;
+    const auto excess = [&]
+    {
+        return max(gMax(solidFraction) - most_, scalar(0));
+    };
 
-    rounds_.clear();
+    rounds_.clearStorage();
+    nRounds_ = 0;
     moved_ = 0;
 
-    for (label round = 0; round <= nRounds; ++round)
+    for
+    (
+        left_ = excess();
+        left_ >= roundOff && nRounds_ < mostRounds;
+        left_ = excess()
+    )
     {
-        left_ = max(gMax(solidFraction) - most_, scalar(0));
-
-        if (left_ < roundOff || round == nRounds)
-        {
-            return;
-        }
-
         moveOn(solidFraction);
     }
 }

@@ -228,7 +228,7 @@ void Foam::materialPointMethod::averageDensity()
 }
 
 
-void Foam::materialPointMethod::goOn(const label sinceSorted)
+void Foam::materialPointMethod::findFastest()
 {
     scalar fastest = 0;
     for (const vector& U : points_.U)
@@ -237,6 +237,12 @@ void Foam::materialPointMethod::goOn(const label sinceSorted)
     }
 
     fastest_ = sqrt(fastest);
+}
+
+
+void Foam::materialPointMethod::goOn(const label sinceSorted)
+{
+    findFastest();
     sinceSorted_ = sinceSorted;
 }
 

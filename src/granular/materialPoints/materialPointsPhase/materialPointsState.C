@@ -190,9 +190,9 @@ void Foam::materialPointsPhase::readState(const fileName& path)
         one.resize(0);
         one.unpack(bytes);
 
-        const label cell =
-            pointGrid::cell(method_.grid().coordinate(one.x[0], 0));
-        if (method_.grid().rankOf(cell) == Pstream::myProcNo())
+        const pointGrid& grid = method_.grid();
+        const label cell = pointGrid::cell(grid.coordinate(one.x[0], 0));
+        if (grid.holds(one.x[0]) && grid.rankOf(cell) == Pstream::myProcNo())
         {
             points.unpack(bytes);
         }

@@ -166,6 +166,12 @@ Foam::label Foam::pointGrid::rankOf(const label cell) const
         return Pstream::myProcNo();
     }
 
+    // Most often asked for
+    if (cell >= first_ && cell < last_)
+    {
+        return Pstream::myProcNo();
+    }
+
     label rank = 0;
     while (cell >= slabs_[rank + 1])
     {
@@ -251,8 +257,14 @@ void Foam::pointGrid::wrap(point& p) const
             const scalar span = box_.max()[d] - box_.min()[d];
             p[d] -= span*std::floor((p[d] - box_.min()[d])/span);
 
-            // What is less than a rounding below the box is its beginning
-            p[d] = p[d] < box_.max()[d] ? p[d] : box_.min()[d];
+        }
+
+        // The last cell ends before the box by what fit() allows or by a rounding:
+        // what is beyond is in the first one, whatever rounding does
+        const scalar at = coordinate(p, k);
+        if (periodic_[k] && (at >= nCells_[k] - 0.5 || at < -0.5))
+        {
+            p[d] = box_.min()[d] + 1e-9*h_;
         }
     }
 }
