@@ -130,14 +130,18 @@ TEST(demCoupling, hasNoGrainsWithoutTheirDictionary)
 
 TEST(granularProperties, warnsOfDragThatIsSmoothedForMaterialPoints)
 {
-    const auto said = [](const std::string& smoothing, const std::string& drag)
+    const std::string points
+    (
+        "#remove (LIGGGHTS granularPhase)\ngranularPhase materialPoints;\n"
+        "materialPoints { cellSize 0.1; bodies { sand { law linearElastic;"
+        " density 1500; E 1e6; nu 0.2; region { box ((0.2 0.2 0.2) (0.4 0.4 0.4)); }"
+        " } } }\n"
+    );
+    const auto said = [&](const std::string& smoothing, const std::string& drag)
     {
         boxOfWater w
         (
-            "#remove (LIGGGHTS granularPhase)\ngranularPhase materialPoints;\n"
-            "materialPoints { cellSize 0.1; bodies { sand { law linearElastic;"
-            " density 1500; E 1e6; nu 0.2; region { box ((0.2 0.2 0.2) (0.4 0.4 0.4)); }"
-            " } } }\nvoidFraction { smoothing { " + smoothing + " } }\n"
+            points + "voidFraction { smoothing { " + smoothing + " } }\n"
             "interphaseForces { drag { model " + drag + "; } }"
         );
         return saidDuring([&]{ demCoupling(w.box().mesh(), hydrostatics(g)); });
@@ -151,13 +155,7 @@ TEST(granularProperties, warnsOfDragThatIsSmoothedForMaterialPoints)
     expectSaysNo(said("model none;", "Beetstra"), remedy);
     expectSaysNo(said("", "none"), remedy);
 
-    boxOfWater byDefault
-    (
-        "#remove (LIGGGHTS granularPhase)\ngranularPhase materialPoints;\n"
-        "materialPoints { cellSize 0.1; bodies { sand { law linearElastic;"
-        " density 1500; E 1e6; nu 0.2; region { box ((0.2 0.2 0.2) (0.4 0.4 0.4)); }"
-        " } } }"
-    );
+    boxOfWater byDefault(points);
     expectSays
     (
         saidDuring([&]{ demCoupling(byDefault.box().mesh(), hydrostatics(g)); }), remedy

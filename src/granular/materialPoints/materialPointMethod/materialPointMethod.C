@@ -56,7 +56,6 @@ Foam::materialPointMethod::materialPointMethod
     averaging_(dict.getOrDefault<Switch>("averaging", true)),
     densityAveraging_(dict.getOrDefault<Switch>("densityAveraging", false)),
     courant_(dict.getOrDefault<scalar>("courant", 0.4)),
-    fastest_(0),
     open_(false),
     nLeft_(0),
     sinceSorted_(sortInterval),
@@ -84,9 +83,14 @@ Foam::scalar Foam::materialPointMethod::waveSpeed() const
 
 Foam::scalar Foam::materialPointMethod::stableStep() const
 {
-    return
-        courant_*grid_.h()
-       /(waveSpeed() + returnReduce(fastest_, maxOp<scalar>()));
+    scalar fastest = 0;
+    for (const vector& U : points_.U)
+    {
+        fastest = max(fastest, magSqr(U));
+    }
+    reduce(fastest, maxOp<scalar>());
+
+    return courant_*grid_.h()/(waveSpeed() + sqrt(fastest));
 }
 
 
@@ -225,25 +229,6 @@ void Foam::materialPointMethod::averageDensity()
         const label cell = cell_[i] + n*p.body[i];
         p.volume[i] = p.mass[i]*bodyVolume_[cell]/bodyMass_[cell];
     }
-}
-
-
-void Foam::materialPointMethod::findFastest()
-{
-    scalar fastest = 0;
-    for (const vector& U : points_.U)
-    {
-        fastest = max(fastest, magSqr(U));
-    }
-
-    fastest_ = sqrt(fastest);
-}
-
-
-void Foam::materialPointMethod::goOn(const label sinceSorted)
-{
-    findFastest();
-    sinceSorted_ = sinceSorted;
 }
 
 

@@ -180,7 +180,6 @@ void Foam::materialPointMethod::place
                     points_.U[last] = U;
                     points_.volume[last] = volume;
                     points_.mass[last] = volume*laws_[body].density();
-                    fastest_ = max(fastest_, mag(U));
                 }
             }
         }

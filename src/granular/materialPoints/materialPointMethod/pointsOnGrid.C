@@ -208,7 +208,6 @@ template<int D>
 void Foam::materialPointMethod::velocityToPoints(const scalar dt)
 {
     pointSet& p = points_;
-    scalar fastest = 0;
 
     forAll(p.x, i)
     {
@@ -219,10 +218,7 @@ void Foam::materialPointMethod::velocityToPoints(const scalar dt)
 
         cell_[i] = stencil.cell();
         p.x[i] += dt*p.U[i];
-        fastest = max(fastest, magSqr(p.U[i]));
     }
-
-    fastest_ = sqrt(fastest);
 }
 
 
@@ -248,7 +244,6 @@ template<int D>
 void Foam::materialPointMethod::gradientToPoints()
 {
     pointSet& p = points_;
-    scalar fastest = 0;
 
     forAll(p.x, i)
     {
@@ -259,10 +254,7 @@ void Foam::materialPointMethod::gradientToPoints()
 
         cell_[i] = stencil.cell();
         p.x[i] = goesTo_[i];
-        fastest = max(fastest, magSqr(p.U[i]));
     }
-
-    fastest_ = sqrt(fastest);
 }
 
 

@@ -192,7 +192,6 @@ void Foam::materialPointMethod::travel()
     DynamicList<char> toSides[2];
     DynamicList<label> staying;
     bool all = true;
-    const label before = nLeft_;
 
     forAll(points_.x, i)
     {
@@ -260,12 +259,6 @@ void Foam::materialPointMethod::travel()
     {
         arrive(other, toSides);
     }
-
-    // Who has left counts no more: a restart does not know it
-    if (nLeft_ > before)
-    {
-        findFastest();
-    }
 }
 
 
@@ -292,13 +285,8 @@ void Foam::materialPointMethod::arrive
         {arrived[0].data(), arrived[1].data()}, {nIn[0], nIn[1]}
     );
 
-    const label before = points_.size();
     for (const List<char>& points : arrived)
     {
         points_.unpack(points);
-    }
-    for (label i = before; i < points_.size(); ++i)
-    {
-        fastest_ = max(fastest_, mag(points_.U[i]));
     }
 }
