@@ -92,7 +92,8 @@ void Foam::grainExchange::checkMayLeave
         << " make the grains stiffer. If they start outside: place them in"
         << " the mesh, in metres (LIGGGHTS does so by its initial script)."
         << " If they may leave: name the patches in "
-        << phase.outflowEntry() << " of constant/granularProperties."
+        << phase.outflowEntry().c_str()
+        << " of constant/granularProperties."
         << exit(FatalError);
 }
 
