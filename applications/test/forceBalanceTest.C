@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What grains take from the fluid is what it gives, where neither drag is smoothed
+// nor all of their volume stays in its cells.
+
+#include "grainsInWater.H"
+#include "scatteredGrains.H"
+#include "testMesh.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+
+
+TEST(grainForces, giveTheFluidWhatTheyTakeWhereDragIsNotSmoothed)
+{
+    testMesh box;
+    standingGrains phase(box.mesh());
+    place(phase, 0.1*vector::one + 0.8*pointField(randomPoints(200)), 0.02);
+    phase.grains.U = vector(0.05, 0.1, 0);
+    grainExchange exchange(box.mesh());
+    exchange.locate(phase);
+    voidFraction pores(exchange, entries("smoothing { width 12; drag off; }"));
+    pores.update();
+
+    fluidFields fluid(water(box.mesh().nCells()));
+    const vectorField& at = box.mesh().C();
+    forAll(fluid.U, cell)
+    {
+        fluid.U[cell] = vector(std::sin(6*at[cell].z()), 0, 0.2);
+        fluid.rho[cell] = 1000 - 900*at[cell].x();
+    }
+
+    for (const scalar N : {1, 3})
+    {
+        interphaseForces forces
+        (
+            exchange,
+            pores,
+            entries
+            (
+                "drag { model Ergun; } lift { model SaffmanMei; }"
+                " virtualMass { model Zuber; }"
+            ),
+            g,
+            N
+        );
+        forces.prepare(fluid, interval);
+        const vectorField none(box.mesh().nCells(), Zero);
+        forces.finish
+        (
+            inEquation
+            (
+                fluidMeans{fluid.U, none, none, none, scalarField(), Zero},
+                fluid.rho, forces, pores, box.mesh(), g
+            )
+        );
+        EXPECT_GT(max(mag(forces.force())), 0);
+        EXPECT_LT(forces.residual(), 1e-12);
+    }
+}
+
+
+//- Relative error of what grains and fluid exchange where half of the grains' volume
+//  does not fit into its cells, under a pressure and a viscous stress that change
+//  along x
+scalar residualOfFullCells(const string& smoothing)
+{
+    testMesh box;
+    standingGrains phase(box.mesh());
+    place
+    (
+        phase, randomPoints(200, 0.4*vector::one, 0.6*vector::one), 0.05
+    );
+    grainExchange exchange(box.mesh());
+    exchange.locate(phase);
+    voidFraction pores
+    (
+        exchange, entries("minimum 0.7; smoothing { " + smoothing + " }")
+    );
+    pores.update();
+    EXPECT_GT(pores.excess().volume(), 0.5*pores.mapping().totalVolume());
+
+    const vectorField& at = box.mesh().C();
+    const scalarField x(at.component(vector::X));
+    fluidFields fluid(water(x.size()));
+    fluid.rho = 1000 - 900*x;
+    fluid.viscousForce = sqr(x)*vector(3000, 0, 0);
+    const vectorField none(x.size(), Zero);
+    const fluidMeans means
+    {
+        fluid.U, none, sqr(x)*vector(2e5, 0, -1e5), fluid.viscousForce,
+        scalarField(), Zero
+    };
+
+    interphaseForces forces
+    (
+        exchange,
+        pores,
+        entries
+        (
+            "drag { model Ergun; } viscousForce { strength 1; }"
+        ),
+        g,
+        1
+    );
+
+    // Before the first exchange as well
+    forces.start(means.pressureGradient);
+    const vector onCells
+    (
+        sum(box.mesh().V().field()*pores.solidFraction()*means.pressureGradient)
+    );
+    EXPECT_LT(mag(sum(forces.force()) + onCells), 1e-12*mag(onCells));
+
+    forces.prepare(fluid, interval);
+    forces.finish(inEquation(means, fluid.rho, forces, pores, box.mesh(), g));
+    return forces.residual();
+}
+
+
+TEST(grainForces, giveTheFluidWhatTheyTakeWhereTheyDoNotFitIntoTheirCells)
+{
+    EXPECT_LT(residualOfFullCells("model none;"), 1e-12);
+    EXPECT_LT(residualOfFullCells("width 1;"), 1e-12);
+}
