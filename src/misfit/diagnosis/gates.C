@@ -238,25 +238,16 @@ std::map<Foam::word, Foam::misfit::covariance> Foam::misfit::askGates
         f.explained.putFirst(hypothesis(f.explained.baseline().what));
     }
 
-    const heldOutPredictions predicted
+    const auto elsewhere
     (
         predictHeldOut
         (
-            s, f.explained,
+            s,
             a.what().isNone() || blamesOneSensor(a.what())
-         || !f.gates.passed(gateKind::evidence)
+         || !f.gates.passed(gateKind::evidence),
+            f
         )
     );
-    f.tested = predicted.held;
-    f.held = predicted.held;
-    for (const failedExperiment& failed : predicted.failed)
-    {
-        f.failedExperiments.append(failed.name);
-        gate g(gateKind::computed, 0, 1);
-        g.experiment = failed.name;
-        g.failure = failed.why;
-        f.gates.add(g);
-    }
     askHeldOut(s, f);
     if (detected)
     {
@@ -264,5 +255,5 @@ std::map<Foam::word, Foam::misfit::covariance> Foam::misfit::askGates
         f.gates.add(aloneGate(a));
         f.gates.add(placeboGate(a));
     }
-    return predicted.known;
+    return elsewhere;
 }

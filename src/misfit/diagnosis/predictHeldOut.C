@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Data that were not used to find an answer: predicted, and what is uncertain there.
 
-#include "heldOut.H"
 #include "elsewhere.H"
 #include "stages.H"
 
@@ -56,42 +55,8 @@ std::vector<vec> calibrationSteps(const study& s, const scored& base)
 }
 
 
-//- Adds what replicates and numerics change in another experiment; false if it is not
-//  known
-bool addNumerics(study& s, const observed& other, covariance& known)
-{
-    const label replicates = s.set.replicates;
-    const List<runState> states(uncertaintyRuns(s, other.experiment));
-    const List<samples> given(s.run(states));
-    bool confirms = given.first().ok();
-    forAll(given, i)
-    {
-        if (!given[i].ok())
-        {
-            s.leaveOut(states[i], given[i].failure);
-        }
-    }
-    const purpose held = purpose::validation;
-    const mat repeats(samplesOf("base", states, given, held));
-    for (const word& name : s.set.resolutions)
-    {
-        const mat changes(changesBy(name, states, given, held));
-        confirms = confirms && changes.cols();
-        if (changes.cols())
-        {
-            known.addResolution
-            (
-                name, changes, repeats, s.set.chaotic && repeats.cols() > 1
-            );
-        }
-    }
-    known.addRepeats(repeats, s.set.commonRandomNumbers);
-    return confirms && (replicates < 2 || repeats.cols() > 1);
-}
-
-
-//- The same for what the calibration's steps change: the states from the third on,
-//  the first being calibrated
+//- Adds what the calibration's steps change there: the states from the third on, the
+//  first being calibrated
 void addCalibration
 (
     study& s,
@@ -116,12 +81,17 @@ void addCalibration
 }
 
 
-//- An experiment in which the solver fails, once
-void addFailure(heldOutPredictions& all, const word& experiment, const string& why)
+//- An experiment in which the solver fails, once. why: empty where what replicates and
+//  numerics change there is not known
+void addFailure(finding& f, const word& experiment, const string& why)
 {
-    if (all.failed.empty() || all.failed.last().name != experiment)
+    if (f.failedExperiments.empty() || f.failedExperiments.last() != experiment)
     {
-        all.failed.append({experiment, why});
+        f.failedExperiments.append(experiment);
+        gate g(gateKind::computed, 0, 1);
+        g.experiment = experiment;
+        g.failure = why;
+        f.gates.add(g);
     }
 }
 
@@ -134,7 +104,7 @@ covariance uncertainIn
     const observed& other,
     const List<runState>& states,
     const List<samples>& given,
-    heldOutPredictions& all
+    finding& f
 )
 {
     covariance known(other.of(other.use), s.set.clockUncertainty);
@@ -142,7 +112,7 @@ covariance uncertainIn
     {
         if (!addNumerics(s, other, known))
         {
-            addFailure(all, other.experiment, "");
+            addFailure(f, other.experiment, "");
         }
         addCalibration(s, states, given, known);
     }
@@ -150,16 +120,17 @@ covariance uncertainIn
 }
 
 
-//- Another experiment at the variables before and after, and at steps from before
-void predictIn
+//- Another experiment at the variables before and after, and at steps from before;
+//  returns what is uncertain there
+covariance predictIn
 (
     study& s,
-    const explanations& e,
     const observed& other,
     const std::vector<vec>& steps,
-    heldOutPredictions& all
+    finding& f
 )
 {
+    const explanations& e = f.explained;
     const vec before = e.lookUp(s, e.baseline()).variables;
     const bool validates = other.use == purpose::validation;
     List<runState> states
@@ -172,8 +143,7 @@ void predictIn
         states.append(s.state(other.experiment, before + steps[k]));
     }
     const List<samples> given(s.means(states));
-    const covariance known(uncertainIn(s, other, states, given, all));
-    all.known.insert({other.experiment, known});
+    covariance known(uncertainIn(s, other, states, given, f));
 
     if (!given[0].ok() || !given[1].ok())
     {
@@ -181,36 +151,37 @@ void predictIn
         s.leaveOut(states[failed], given[failed].failure);
         if (validates)
         {
-            addFailure(all, other.experiment, given[failed].failure);
+            addFailure(f, other.experiment, given[failed].failure);
         }
-        return;
+        return known;
     }
     const samples after(withFault(s, e.best(), other, given[1]));
     compare
     (
-        heldOut::part::experiment, other, given[0], after, known, s.set, all.held
+        heldOut::part::experiment, other, given[0], after, known, s.set, f.held
     );
     if (validates)
     {
         compare
         (
             heldOut::part::testElsewhere, other, given[0], after,
-            covariance(other.test, s.set.clockUncertainty), s.set, all.held
+            covariance(other.test, s.set.clockUncertainty), s.set, f.held
         );
     }
+    return known;
 }
 
 } // End anonymous namespace
 
 
-Foam::misfit::heldOutPredictions Foam::misfit::predictHeldOut
+std::map<Foam::word, Foam::misfit::covariance> Foam::misfit::predictHeldOut
 (
     study& s,
-    const explanations& e,
-    const bool mayBeNothing
+    const bool mayBeNothing,
+    finding& f
 )
 {
-    heldOutPredictions all;
+    const explanations& e = f.explained;
     const computed before(e.lookUp(s, e.baseline()));
     const std::vector<vec> steps
     (
@@ -229,11 +200,14 @@ Foam::misfit::heldOutPredictions Foam::misfit::predictHeldOut
     (
         s, before.given,
         withFault(s, e.best(), s.data(), e.lookUp(s, e.best()).given), known,
-        all.held
+        f.held
     );
+    std::map<word, covariance> elsewhere;
     for (label i = 1; i < s.experiments.size(); ++i)
     {
-        predictIn(s, e, s.experiments[i], steps, all);
+        const observed& other = s.experiments[i];
+        elsewhere.insert({other.experiment, predictIn(s, other, steps, f)});
     }
-    return all;
+    f.tested = f.held;
+    return elsewhere;
 }

@@ -49,35 +49,9 @@ dictionary withChanges(const dictionary& decision)
 
 
 Foam::misfit::rules::rules(const dictionary& decision)
+:
+    entries(withChanges(decision))
 {
-    const dictionary dict(withChanges(decision));
-    dict.readEntry("significance", significance);
-    dict.readEntry("evidence", evidence);
-    dict.readEntry("gap", gap);
-    dict.readEntry("pairGap", pairGap);
-    dict.readEntry("modelDiscrepancy", modelDiscrepancy);
-    dict.readEntry("adequacy", adequacy);
-    dict.readEntry("ownShare", ownShare);
-    dict.readEntry("temperature", temperature);
-    dict.readEntry("matchedSquare", matchedSquare);
-    dict.readEntry("matchedChance", matchedChance);
-    dict.readEntry("leftOfMisfit", leftOfMisfit);
-    dict.readEntry("leftBesideUnknown", leftBesideUnknown);
-    dict.readEntry("leftByRegistration", leftByRegistration);
-    dict.readEntry("leftIfConfirmed", leftIfConfirmed);
-    dict.readEntry("placebo", placebo);
-    dict.readEntry("lastingEffect", lastingEffect);
-    dict.readEntry("oppositeSign", oppositeSign);
-    dict.readEntry("aboveBound", aboveBound);
-    dict.readEntry("beyond", beyond);
-    dict.readEntry("residualShare", residualShare);
-    dict.readEntry("tellingApart", tellingApart);
-    dict.readEntry("refit", refit);
-    dict.readEntry("passes", passes);
-    dict.readEntry("settled", settled);
-    dict.readEntry("pairs", pairs);
-    dict.readEntry("largestUncalibrated", largestUncalibrated);
-
     const auto isShare = [](const scalar x) { return x > 0 && x < 1; };
     const bool shares =
         isShare(significance) && isShare(adequacy) && isShare(matchedChance)
@@ -86,8 +60,8 @@ Foam::misfit::rules::rules(const dictionary& decision)
     {
         FatalIOErrorInFunction(decision)
             << "significance, adequacy, matchedChance and largestUncalibrated are"
-            << " probabilities between 0 and 1, refit and passes 1 or more, the temperature above zero"
+            << " probabilities between 0 and 1, refit and passes 1 or more, the"
+            << " temperature above zero"
             << exit(FatalIOError);
     }
-    confidence = confidenceTable(dict.get<fileName>("confidence"));
 }

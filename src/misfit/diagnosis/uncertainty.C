@@ -149,6 +149,52 @@ void checkReplicates
     }
 }
 
+
+//- Samples of these runs for a use, of those with a resolution or "base": a column for
+//  each that did not fail
+mat samplesOf
+(
+    const word& resolution,
+    const List<runState>& states,
+    const List<samples>& given,
+    const purpose use
+)
+{
+    mat all;
+    forAll(states, i)
+    {
+        if (states[i].resolution == resolution && given[i].ok())
+        {
+            appendColumn(all, given[i].of(use));
+        }
+    }
+    return all;
+}
+
+
+//- What a resolution changes in them, a column for each replicate that ran with and
+//  without it
+mat changesBy
+(
+    const word& resolution,
+    const List<runState>& states,
+    const List<samples>& given,
+    const purpose use
+)
+{
+    mat all;
+    forAll(states, i)
+    {
+        // The replicates without it are the first runs, in their order
+        const samples& base = given[states[i].replicate];
+        if (states[i].resolution == resolution && given[i].ok() && base.ok())
+        {
+            appendColumn(all, given[i].of(use) - base.of(use));
+        }
+    }
+    return all;
+}
+
 } // End anonymous namespace
 
 
@@ -188,48 +234,6 @@ Foam::List<Foam::misfit::runState> Foam::misfit::uncertaintyRuns
 }
 
 
-Foam::misfit::mat Foam::misfit::samplesOf
-(
-    const word& resolution,
-    const List<runState>& states,
-    const List<samples>& given,
-    const purpose use
-)
-{
-    mat all;
-    forAll(states, i)
-    {
-        if (states[i].resolution == resolution && given[i].ok())
-        {
-            appendColumn(all, given[i].of(use));
-        }
-    }
-    return all;
-}
-
-
-Foam::misfit::mat Foam::misfit::changesBy
-(
-    const word& resolution,
-    const List<runState>& states,
-    const List<samples>& given,
-    const purpose use
-)
-{
-    mat all;
-    forAll(states, i)
-    {
-        // The replicates without it are the first runs, in their order
-        const samples& base = given[states[i].replicate];
-        if (states[i].resolution == resolution && given[i].ok() && base.ok())
-        {
-            appendColumn(all, given[i].of(use) - base.of(use));
-        }
-    }
-    return all;
-}
-
-
 void Foam::misfit::addUncertainty(study& s)
 {
     Info<< "Uncertainty" << endl;
@@ -265,4 +269,41 @@ void Foam::misfit::addUncertainty(study& s)
     checkReplicates(repeats, heldRepeats);
     s.calibration.addRepeats(repeats, set.commonRandomNumbers);
     s.validation.addRepeats(heldRepeats, set.commonRandomNumbers);
+}
+
+
+bool Foam::misfit::addNumerics
+(
+    study& s,
+    const observed& other,
+    covariance& known
+)
+{
+    const label replicates = s.set.replicates;
+    const List<runState> states(uncertaintyRuns(s, other.experiment));
+    const List<samples> given(s.run(states));
+    bool confirms = given.first().ok();
+    forAll(given, i)
+    {
+        if (!given[i].ok())
+        {
+            s.leaveOut(states[i], given[i].failure);
+        }
+    }
+    const purpose held = purpose::validation;
+    const mat repeats(samplesOf("base", states, given, held));
+    for (const word& name : s.set.resolutions)
+    {
+        const mat changes(changesBy(name, states, given, held));
+        confirms = confirms && changes.cols();
+        if (changes.cols())
+        {
+            known.addResolution
+            (
+                name, changes, repeats, s.set.chaotic && repeats.cols() > 1
+            );
+        }
+    }
+    known.addRepeats(repeats, s.set.commonRandomNumbers);
+    return confirms && (replicates < 2 || repeats.cols() > 1);
 }
