@@ -10,55 +10,8 @@
 
 using namespace Foam;
 
-
-TEST(grainForces, giveTheFluidWhatTheyTakeWhereDragIsNotSmoothed)
+namespace
 {
-    testMesh box;
-    standingGrains phase(box.mesh());
-    place(phase, 0.1*vector::one + 0.8*pointField(randomPoints(200)), 0.02);
-    phase.grains.U = vector(0.05, 0.1, 0);
-    grainExchange exchange(box.mesh());
-    exchange.locate(phase);
-    voidFraction pores(exchange, entries("smoothing { width 12; drag off; }"));
-    pores.update();
-
-    fluidFields fluid(water(box.mesh().nCells()));
-    const vectorField& at = box.mesh().C();
-    forAll(fluid.U, cell)
-    {
-        fluid.U[cell] = vector(std::sin(6*at[cell].z()), 0, 0.2);
-        fluid.rho[cell] = 1000 - 900*at[cell].x();
-    }
-
-    for (const scalar N : {1, 3})
-    {
-        interphaseForces forces
-        (
-            exchange,
-            pores,
-            entries
-            (
-                "drag { model Ergun; } lift { model SaffmanMei; }"
-                " virtualMass { model Zuber; }"
-            ),
-            g,
-            N
-        );
-        forces.prepare(fluid, interval);
-        const vectorField none(box.mesh().nCells(), Zero);
-        forces.finish
-        (
-            inEquation
-            (
-                fluidMeans{fluid.U, none, none, none, scalarField(), Zero},
-                fluid.rho, forces, pores, box.mesh(), g
-            )
-        );
-        EXPECT_GT(max(mag(forces.force())), 0);
-        EXPECT_LT(forces.residual(), 1e-12);
-    }
-}
-
 
 //- Relative error of what grains and fluid exchange where half of the grains' volume
 //  does not fit into its cells, under a pressure and a viscous stress that change
@@ -117,8 +70,59 @@ scalar residualOfFullCells(const string& smoothing)
     return forces.residual();
 }
 
+} // End anonymous namespace
 
-TEST(grainForces, giveTheFluidWhatTheyTakeWhereTheyDoNotFitIntoTheirCells)
+
+TEST(forceBalance, closesWhereDragIsNotSmoothed)
+{
+    testMesh box;
+    standingGrains phase(box.mesh());
+    place(phase, 0.1*vector::one + 0.8*pointField(randomPoints(200)), 0.02);
+    phase.grains.U = vector(0.05, 0.1, 0);
+    grainExchange exchange(box.mesh());
+    exchange.locate(phase);
+    voidFraction pores(exchange, entries("smoothing { width 12; drag off; }"));
+    pores.update();
+
+    fluidFields fluid(water(box.mesh().nCells()));
+    const vectorField& at = box.mesh().C();
+    forAll(fluid.U, cell)
+    {
+        fluid.U[cell] = vector(std::sin(6*at[cell].z()), 0, 0.2);
+        fluid.rho[cell] = 1000 - 900*at[cell].x();
+    }
+
+    for (const scalar N : {1, 3})
+    {
+        interphaseForces forces
+        (
+            exchange,
+            pores,
+            entries
+            (
+                "drag { model Ergun; } lift { model SaffmanMei; }"
+                " virtualMass { model Zuber; }"
+            ),
+            g,
+            N
+        );
+        forces.prepare(fluid, interval);
+        const vectorField none(box.mesh().nCells(), Zero);
+        forces.finish
+        (
+            inEquation
+            (
+                fluidMeans{fluid.U, none, none, none, scalarField(), Zero},
+                fluid.rho, forces, pores, box.mesh(), g
+            )
+        );
+        EXPECT_GT(max(mag(forces.force())), 0);
+        EXPECT_LT(forces.residual(), 1e-12);
+    }
+}
+
+
+TEST(forceBalance, closesWhereGrainsDoNotFitIntoTheirCells)
 {
     EXPECT_LT(residualOfFullCells("model none;"), 1e-12);
     EXPECT_LT(residualOfFullCells("width 1;"), 1e-12);

@@ -97,7 +97,7 @@ void addFailure(finding& f, const word& experiment, const string& why)
 
 
 //- What is uncertain in another experiment; without what replicates and numerics change
-//  where it only tests, or where the base fails
+//  where it only tests, or where the base fails. Finds where the solver fails there
 covariance uncertainIn
 (
     study& s,

@@ -50,7 +50,7 @@ dictionary withChanges(const dictionary& decision)
 
 Foam::misfit::rules::rules(const dictionary& decision)
 :
-    entries(withChanges(decision))
+    entries_(withChanges(decision))
 {
     const auto isShare = [](const scalar x) { return x > 0 && x < 1; };
     const bool shares =
