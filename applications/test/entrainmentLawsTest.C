@@ -248,3 +248,20 @@ TEST(erosionByLaws, stressesThatPullInTheMeanAreAnErrorWithItsRemedy)
     s.sigma[0] = 300;
     EXPECT_EQ(erosionByLaws(bed()).of(s).size(), 2);
 }
+
+
+TEST(erosionByLaws, aVelocityAgainstTheFlowIsAnErrorWithItsRemedy)
+{
+    sectionSeries s;
+    s.t = scalarList({0.0, 1.0});
+    s.sigma = scalarList(2, scalar(300));
+    s.v = scalarList({-2.0, 0.5});
+
+    const std::string said(refusal([&]() { erosionByLaws(bed()).of(s); }));
+    expectSays(said, "negative in the mean from 0 to 1 s");
+    expectSays(said, "write factor -1 at velocity");
+
+    // What stands still is no mistake
+    s.v = scalarList(2, Zero);
+    EXPECT_EQ(erosionByLaws(bed()).of(s).size(), 2);
+}

@@ -66,6 +66,15 @@ Foam::List<Foam::erosionByLaws::erosion> Foam::erosionByLaws::of
             << "    Pressing has to be positive. Stresses of grainStress are positive in"
             << " tension: write factor -1 at normalStress." << exit(FatalError);
     }
+    if (n && average(s.v) < 0)
+    {
+        FatalErrorInFunction
+            << "The velocity is negative in the mean from " << s.t.first() << " to "
+            << s.t.last() << " s: it goes from " << min(s.v) << " to "
+            << max(s.v) << " m/s, and such a flow erodes nothing." << nl
+            << "    The velocity of the flow has to be positive: if it was measured"
+            << " against it, write factor -1 at velocity." << exit(FatalError);
+    }
 
     erosion Coulomb{"Coulomb", scalarList(n), {}, {}, {}, {}};
     erosion Voellmy{"Voellmy", scalarList(n), {}, {}, {}, {}};
