@@ -301,6 +301,11 @@ TEST(materialPointsPhase, whatIsWrongIsNamed)
     );
     EXPECT_NE
     (
+        said("box ((0 0 0.2) (0.2 1 0));", "").find("the lower one"),
+        std::string::npos
+    );
+    EXPECT_NE
+    (
         said(here, "transfer { model PIC; }").find("APIC FLIP"),
         std::string::npos
     );

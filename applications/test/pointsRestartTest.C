@@ -199,6 +199,25 @@ TEST(materialPointsPhase, aStateOfAHigherMeshIsRefused)
 }
 
 
+TEST(materialPointsPhase, aStateOfAnotherDensityIsRefused)
+{
+    testMesh box(slice());
+    const string here("box ((0 0 0) (0.2 1 0.2));");
+    auto sandy = points(box.mesh(), here);
+    const fileName folder(box.time().timePath()/granularPhase::stateFolder);
+    mkDir(folder);
+    ASSERT_TRUE(sandy->writeState(folder));
+    sandy->checkOut();
+
+    // The body's dictionary goes on after its region
+    const std::string said
+    (
+        refusal([&]() { points(box.mesh(), here + " } density 1800; region {"); })
+    );
+    EXPECT_NE(said.find("their densities"), std::string::npos) << said;
+}
+
+
 TEST(ParallelMaterialPointsPhase, aRestartIsExactToTheLastBit)
 {
     expectRestartIsExact();

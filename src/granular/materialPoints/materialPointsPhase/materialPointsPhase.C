@@ -67,6 +67,38 @@ scalar readTimeStep(const dictionary& dict, const scalar stable)
 }
 
 
+//- Points, mass and extent of each body into the log
+void tellBodies(const materialPointMethod& method)
+{
+    const pointSet& points = method.points();
+    forAll(method.bodies(), body)
+    {
+        label n = 0;
+        scalar mass = 0;
+        boundBox extent;
+        forAll(points.body, i)
+        {
+            if (points.body[i] == body)
+            {
+                ++n;
+                mass += points.mass[i];
+                extent.add(points.x[i]);
+            }
+        }
+        reduce(n, sumOp<label>());
+        reduce(mass, sumOp<scalar>());
+        extent.reduce();
+        Info<< "    body " << method.bodies()[body] << ": " << n << " points";
+        if (n)
+        {
+            Info<< ", " << mass << " kg, from " << extent.min() << " to "
+                << extent.max() << " m";
+        }
+        Info<< endl;
+    }
+}
+
+
 //- Into the log; a warning where a run takes very many
 void tellSteps(const materialPointsPhase& phase, const Time& time)
 {
@@ -179,6 +211,7 @@ Foam::materialPointsPhase::materialPointsPhase
     }
     refresh();
 
+    tellBodies(method_);
     tellSteps(*this, mesh.time());
 }
 

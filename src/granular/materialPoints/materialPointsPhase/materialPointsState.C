@@ -67,14 +67,16 @@ namespace
     }
 
 
-    //- First line of a state: what must be the same to go on from it
-    string heading(const wordList& bodies)
+    //- First line of a state: what must be the same to go on from it. Points keep their
+    //  mass, so that another density would be taken for a change of volume
+    string heading(const materialPointMethod& method)
     {
         OStringStream os;
         os  << "materialPoints " << pointSet::nBytes();
-        for (const word& body : bodies)
+        forAll(method.bodies(), body)
         {
-            os  << ' ' << body;
+            os  << ' ' << method.bodies()[body] << ' '
+                << method.laws()[body].density();
         }
         return os.str();
     }
@@ -123,7 +125,7 @@ bool Foam::materialPointsPhase::writeState(const fileName& folder)
     if (Pstream::master())
     {
         std::ofstream os(aside, std::ios::binary);
-        os  << heading(method_.bodies()) << '\n' << method_.sinceSorted() << ' '
+        os  << heading(method_) << '\n' << method_.sinceSorted() << ' '
             << sum(n) << '\n';
 
         forAll(n, rank)
@@ -163,15 +165,15 @@ void Foam::materialPointsPhase::readState(const fileName& path)
     std::string found;
     std::getline(is, found);
 
-    if (found != heading(method_.bodies()))
+    if (found != heading(method_))
     {
         FatalErrorInFunction
             << "The state " << path << " is one of" << nl
             << "    " << found.substr(0, 200).c_str() << nl
             << "    but the dictionary has" << nl
-            << "    " << heading(method_.bodies()).c_str() << nl
-            << "    Go on with the bodies, and the version of this program,"
-            << " that wrote it." << exit(FatalError);
+            << "    " << heading(method_).c_str() << nl
+            << "    Go on with the bodies, their densities, and the version of this"
+            << " program that wrote it." << exit(FatalError);
     }
 
     label sinceSorted = 0;

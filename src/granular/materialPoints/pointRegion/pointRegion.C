@@ -26,6 +26,13 @@ Foam::pointRegion::pointRegion(const dictionary& dict, const pointGrid& grid)
     {
         const Pair<point> corners(dict.get<Pair<point>>("box"));
         box_ = boundBox(corners.first(), corners.second());
+        if (cmptMin(box_.span()) < 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << "The box " << box_.min() << ' ' << box_.max() << " is none: its"
+                << " first corner is the lower one in x, y and z."
+                << exit(FatalIOError);
+        }
     }
 
     word plane("xz");
