@@ -2,6 +2,7 @@
 // What a case will not give for its channels, told before any run.
 
 #include "fakeCase.H"
+#include "numberTable.H"
 #include "testMesh.H"
 
 using namespace Foam;
@@ -94,4 +95,17 @@ TEST(misfitTables, aHeightThatIsMoreThanTheMeshIsRefused)
     };
     EXPECT_EQ(profile("1"), "nothing");
     expectSays(profile("400"), "S1 has the height 400 m, more than the diagonal of the mesh");
+}
+
+
+TEST(misfitTables, aNameWithoutItsQuotesIsNotTakenForANumber)
+{
+    const auto column = [](const string& entry)
+    {
+        return columnIn(dictionary(IStringStream(entry)()), "column", "2");
+    };
+    EXPECT_EQ(column("column 3;"), "3");
+    EXPECT_EQ(column("column \"1:zz\";"), "1:zz");
+    EXPECT_EQ(column("file f;"), "2");
+    expectSays(refusal([&]() { column("column 1:zz;"); }), "needs quotes");
 }

@@ -66,12 +66,14 @@ Foam::List<Foam::erosionByLaws::erosion> Foam::erosionByLaws::of
             << "    Pressing has to be positive. Stresses of grainStress are positive in"
             << " tension: write factor -1 at normalStress." << exit(FatalError);
     }
-    if (n && average(s.v) < 0)
+    // What stands still may swing around zero
+    if (n && max(s.v) <= 0 && min(s.v) < -1e-6)
     {
         FatalErrorInFunction
-            << "The velocity is negative in the mean from " << s.t.first() << " to "
+            << "The velocity is never positive from " << s.t.first() << " to "
             << s.t.last() << " s: it goes from " << min(s.v) << " to "
-            << max(s.v) << " m/s, and such a flow erodes nothing." << nl
+            << max(s.v) << " m/s, and by the dynamic law such a flow erodes"
+            << " nothing." << nl
             << "    The velocity of the flow has to be positive: if it was measured"
             << " against it, write factor -1 at velocity." << exit(FatalError);
     }

@@ -30,7 +30,7 @@ misfit::series readSeries(const dictionary& dict, const fileName& caseFolder)
         file = caseFolder/file;
     }
 
-    const string column(misfit::columnIn(dict, "column", "2"));
+    const string column(misfit::columnIn(dict, "column", ""));
     const scalar factor = dict.lookupOrDefault<scalar>("factor", 1);
     const misfit::numberTable table
     (

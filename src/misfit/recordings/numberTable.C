@@ -206,7 +206,14 @@ Foam::string Foam::misfit::columnIn
     {
         return byDefault;
     }
-    const token t(dict.lookup(key));
+    ITstream& is = dict.lookup(key);
+    const token t(is);
+    if (is.nRemainingTokens())
+    {
+        FatalIOErrorInFunction(dict)
+            << key << " is more than one word or number: a name like 1:zz needs"
+            << " quotes." << exit(FatalIOError);
+    }
     return
         t.isNumber() ? string(std::to_string(label(t.number())))
       : t.isString() ? t.stringToken() : string(t.wordToken());

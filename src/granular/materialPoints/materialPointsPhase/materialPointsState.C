@@ -72,6 +72,7 @@ namespace
     string heading(const materialPointMethod& method)
     {
         OStringStream os;
+        os.precision(15);
         os  << "materialPoints " << pointSet::nBytes();
         forAll(method.bodies(), body)
         {
@@ -172,7 +173,7 @@ void Foam::materialPointsPhase::readState(const fileName& path)
             << "    " << found.substr(0, 200).c_str() << nl
             << "    but the dictionary has" << nl
             << "    " << heading(method_).c_str() << nl
-            << "    Go on with the bodies, their densities, and the version of this"
+            << "    Go on with the bodies, the 'density' of each, and the version of this"
             << " program that wrote it." << exit(FatalError);
     }
 
