@@ -93,6 +93,17 @@ void Foam::demCoupling::startAlone() const
     Info<< "Grains alone: voidFraction, interphaseForces and the fields of a fluid"
         << " are not read" << nl << endl;
 
+    const dictionary& control = mesh_.time().controlDict();
+    const scalar deltaT = control.get<scalar>("deltaT");
+    const scalar interval = phase_->exchangeInterval();
+    if (mag(deltaT - interval) > 1e-6*interval)
+    {
+        IOWarningInFunction(control)
+            << "deltaT " << deltaT << " s is not used: without a fluid a step is an"
+            << " exchange interval, " << interval << " s (" << phase_->stepsPerExchange()
+            << " DEM steps of " << phase_->timeStep() << " s)." << endl;
+    }
+
     writeActivePhysics(mesh_, "grains", phase_->activePhysics());
 
     // Time 0 as they start, for pictures and later evaluation
