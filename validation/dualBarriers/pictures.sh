@@ -40,7 +40,7 @@ PLOT
 drawRun Fr2S_E fr2.png -20 40 6 0.7 1.3 2.3 4.3
 drawRun Fr6S_E fr6.png 30 120 11 1.3 2.3 4.3 6
 drawRun Fr2S_T fr2water.png -20 40 6 0.7 1.3 2.3 4.3
-drawRun Fr4S_T fr4water.png 40 145 11 0.7 2.3 4.3 8
+drawRun Fr4S_T fr4water.png 10 100 9 0.7 1.3 2.3 4.3
 
 for Fr in 2 4 6
 do
