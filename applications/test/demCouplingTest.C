@@ -66,20 +66,47 @@ public:
         );
     }
 
-    //- The grains at a height [m], which may be above the box
-    void placeGrains(const scalar z) const
+    //- The initial script: the box up to a height [m], and what is in it
+    void writeInitial(const scalar top, const std::string& grains) const
     {
         std::ostringstream os;
         os  << "units si\natom_style granular\nnewton off\n"
             << "communicate single vel yes\n"
-            << "region box block 0 1 0 1 0 " << max(z + 0.1, scalar(1))
-            << " units box\ncreate_box 1 box\n";
+            << "region box block 0 1 0 1 0 " << top
+            << " units box\ncreate_box 1 box\n" << grains;
+        write("constant/grains/initial", os.str());
+    }
+
+    //- The grains at a height [m], which may be above the box; of a diameter [m] and
+    //  density [kg/m3]
+    void placeGrains
+    (
+        const scalar z,
+        const scalar diameter = 0.02,
+        const scalar density = 2500
+    ) const
+    {
+        std::ostringstream os;
         for (const char* x : {"0.3", "0.4", "0.5", "0.6"})
         {
             os << "create_atoms 1 single " << x << " 0.5 " << z << " units box\n";
         }
-        os << "set type 1 diameter 0.02 density 2500\n";
-        write("constant/grains/initial", os.str());
+        os  << "set type 1 diameter " << diameter << " density " << density << "\n";
+        writeInitial(max(z + 0.1, scalar(1)), os.str());
+    }
+
+    //- Let a grain of 20 mm and of a density [kg/m3] come in, in the first step
+    void insertGrain(const scalar density) const
+    {
+        std::ostringstream os;
+        os  << "fix light all particletemplate/sphere 15485863 atom_type 1 density"
+            << " constant " << density << " radius constant 0.01\n"
+            << "fix sizes all particledistribution/discrete 32452843 1 light 1.0\n"
+            << "region above block 0.4 0.6 0.4 0.6 0.6 0.9 units box\n"
+            << "fix insertion all insert/pack seed 32452867 distributiontemplate"
+            << " sizes insert_every once overlapcheck yes all_in yes"
+            << " particles_in_region 1 region above\n";
+        addPhysics(os.str());
     }
 
     //- The physics script, with a line more
@@ -106,7 +133,7 @@ public:
             scalarField(n, 1),
             vectorField(n, Zero),
             vectorField(n, Zero),
-            vectorField(),
+            vectorField(n, Zero),
             vectorField()
         };
     }
@@ -114,6 +141,40 @@ public:
 
 
 const vector g(0, 0, -9.81);
+
+
+//- Of grains of a density in water, with the mass that they carry along [m/s2]
+scalar riseOf(const scalar density)
+{
+    return (1000 - density)/(density + 0.5*1000)*mag(g);
+}
+
+
+const std::string carryingWater
+(
+    "interphaseForces { drag { model none; } virtualMass { model constant; } }"
+);
+
+
+//- One exchange of grains with water that stays at rest
+void exchangeOnce(demCoupling& grains, boxOfWater& w)
+{
+    const fluidFields water(w.water());
+    const fvMesh& mesh = w.box().mesh();
+    const surfaceScalarField none
+    (
+        IOobject("none", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimPressure/dimLength*dimArea, Zero)
+    );
+
+    grains.moveGrains([&]{ return w.water(); });
+    grains.locateGrains();
+    grains.findVoidFraction();
+    grains.prepareForces(water);
+    grains.addFluidStep(water.U, water.rho, none, water.U, vectorField(), interval);
+    grains.setParticleForces(water.U);
+}
 
 } // End anonymous namespace
 
@@ -273,7 +334,7 @@ TEST(demCoupling, goesEvenlyToTheVoidFractionThatTheGrainsLeave)
         dimensionedScalar("one", dimless, 1)
     );
     const scalarField before(1 - grains.solidFraction());
-    grains.start(vectorField(mesh.nCells(), 1000*g), water.U);
+    grains.start(water);
 
     grains.moveGrains();
     grains.locateGrains();
@@ -306,7 +367,7 @@ TEST(demCoupling, givesGrainsTheOppositeOfWhatTheFluidGets)
     const fvMesh& mesh = w.box().mesh();
     demCoupling grains(mesh, hydrostatics(g));
     const fluidFields water(w.water());
-    grains.start(vectorField(mesh.nCells(), 1000*g), water.U);
+    grains.start(water);
 
     grains.moveGrains();
     grains.locateGrains();
@@ -328,6 +389,102 @@ TEST(demCoupling, givesGrainsTheOppositeOfWhatTheFluidGets)
 
     EXPECT_LT(grains.forces().residual(), 1e-12);
     EXPECT_EQ(grains.forces().force().size(), 4);
+}
+
+
+TEST(demCoupling, grainsCarryWaterAlongFromTheFirstIntervalOn)
+{
+    for (const scalar density : {5.0, 100.0, 2500.0})
+    {
+        boxOfWater w(carryingWater);
+        w.placeGrains(0.5, 0.02, density);
+        demCoupling grains(w.box().mesh(), hydrostatics(g));
+        grains.start(w.water());
+        grains.moveGrains();
+
+        const auto& phase =
+            w.box().mesh().lookupObject<granularPhase>(granularPhase::typeName);
+        const scalar speed = riseOf(density)*interval;
+        EXPECT_NEAR(phase.velocity()[0].z(), speed, 1e-9*mag(speed)) << density;
+    }
+}
+
+
+TEST(demCoupling, aGrainThatComesInFeelsTheWaterAtOnce)
+{
+    for (const scalar density : {5.0, 100.0, 2500.0})
+    {
+        boxOfWater w(carryingWater);
+        w.insertGrain(density);
+        demCoupling grains(w.box().mesh(), hydrostatics(g));
+        grains.start(w.water());
+        grains.moveGrains([&]{ return w.water(); });
+
+        const auto& phase =
+            w.box().mesh().lookupObject<granularPhase>(granularPhase::typeName);
+        ASSERT_EQ(phase.size(), 5);
+        const label last = findMax(phase.id());
+
+        // It comes in during the first of the 50 steps
+        const scalar speed = riseOf(density)*interval;
+        EXPECT_NEAR(phase.velocity()[last].z(), speed, 0.03*mag(speed)) << density;
+    }
+}
+
+
+TEST(demCoupling, goesOnWithoutGrainsAndTakesThoseThatComeIn)
+{
+    for (const bool enters : {false, true})
+    {
+        boxOfWater w;
+        w.writeInitial(1, "");
+        if (enters)
+        {
+            w.insertGrain(2500);
+        }
+        demCoupling grains(w.box().mesh(), hydrostatics(g));
+        grains.start(w.water());
+        exchangeOnce(grains, w);
+        EXPECT_TRUE(grains.write());
+        exchangeOnce(grains, w);
+
+        EXPECT_EQ(grains.forces().force().size(), enters ? 1 : 0);
+        EXPECT_TRUE(std::isfinite(grains.forces().residual()));
+    }
+}
+
+
+TEST(demCoupling, warnsOfLoneSlowGrainsThatDragTheirCellAlong)
+{
+    const auto said = [](const scalar mu, const std::string& smoothing)
+    {
+        boxOfWater w("voidFraction { smoothing { " + smoothing + " } }");
+        demCoupling grains(w.box().mesh(), hydrostatics(g));
+        fluidFields fluid(w.water());
+        fluid.mu = mu;
+        return saidDuring([&]{ grains.start(fluid); });
+    };
+
+    // 0.46 d over a cell of 0.25 m, and the bell of 60 mm
+    expectSays(said(100, ""), "move up to 3.5");
+    expectSaysNo(said(100, "width 60;"), "too fast");
+    expectSaysNo(said(1e-3, ""), "too fast");
+}
+
+
+TEST(demCoupling, aBoxWithFarTooManyBinsIsAnErrorBeforeItTakesTheMemory)
+{
+    boxOfWater w;
+    w.placeGrains(0.5, 1e-4);
+    w.addPhysics("neighbor 1e-4 bin\ntimestep 1e-7");
+    const std::string said
+    (
+        refusal([&]{ demCoupling(w.box().mesh(), hydrostatics(g)); })
+    );
+
+    expectSays(said, "1e+12 bins of 0.0001 m");
+    expectSays(said, "8000 GB of memory");
+    expectSays(said, "'neighbor 0.00");
 }
 
 

@@ -29,56 +29,103 @@ vector secondMoment
     return sum(weight*cmptMultiply(r, r))/sum(weight);
 }
 
-//- A bed of grains of 2 mm, 0.1 m high, beneath air: the largest change of its solid
-//  fraction [-], and the solid that passes its surface [m], when two grains of 20 mm
-//  come in 0.25 m above it, 9 % of the volume
-Pair<scalar> changeOfBedAtRest(const std::string& more)
+//- Where water of this fraction is below, in cells of 1/20 m: full up to z = 1/2,
+//  and a cell at the surface that is partly full
+scalarField waterUpTo(const fvMesh& mesh, const scalar atSurface)
+{
+    scalarField water(mesh.nCells());
+    forAll(water, cell)
+    {
+        const scalar z = 20*mesh.C()[cell].z();
+        water[cell] = z < 10 ? 1 : z < 11 ? atSurface : 0;
+    }
+    return water;
+}
+
+
+//- Fine grains of 5 mm all about a box, and a boulder of 100 mm amid them: their solid
+//  fraction with it, without it, and that of the boulder alone
+List<scalarField> gravelWithBoulder()
 {
     testBox b;
-    b.span = vector(0.04, 0.04, 0.4);
-    b.cells = labelVector(8, 8, 80);
+    b.cells = labelVector(16, 16, 16);
     testMesh test(b);
-    const fvMesh& mesh = test.mesh();
-
     const label n = 20000;
-    pointField places(n + 2, point(0.02, 0.02, 0.35));
-    places[n].z() += 0.02;
-    for (label i = 0; i < n; ++i)
+    const pointField gravel(0.05*vector::one + 0.9*randomPoints(n));
+
+    List<scalarField> result;
+    for (const label first : {0, 0, n})
     {
-        places[i] = 0.002*vector(i % 20 + 0.5, i/20 % 20 + 0.5, i/400 + 0.5);
-    }
-
-    standingGrains phase(mesh);
-    grainExchange exchange(mesh);
-    dictionary dict(settings("sphereCaps", "diffusion"));
-    dictionary& smoothing = dict.subDict("smoothing");
-    smoothing.set("width", 3);
-    smoothing.merge(dictionary(IStringStream(more)()));
-    voidFraction pores(exchange, dict);
-
-    place(phase, pointField(SubField<point>(places, n)), 0.001);
-    exchange.locate(phase);
-    pores.update();
-    const scalarField before(pores.solidFraction());
-
-    place(phase, places, 0.001);
-    phase.radii[n] = phase.radii[n + 1] = 0.01;
-    exchange.locate(phase);
-    pores.update();
-    const scalarField change(pores.solidFraction() - before);
-
-    Pair<scalar> result(0, 0);
-    forAll(change, cell)
-    {
-        const scalar z = mesh.C()[cell].z();
-        if (z < 0.2)
+        standingGrains phase(test.mesh());
+        pointField places(n + 1, point(0.5, 0.5, 0.5));
+        SubField<point>(places, n) = gravel;
+        const label last = result.size() == 1 ? n : n + 1;
+        place(phase, pointField(SubField<point>(places, last - first, first)), 0.0025);
+        if (last > n)
         {
-            result.first() = max(result.first(), mag(change[cell]));
-            result.second() +=
-                z > 0.1 ? change[cell]*mesh.V()[cell]/sqr(0.04) : 0;
+            phase.radii[n - first] = 0.05;
         }
+
+        grainExchange exchange(test.mesh());
+        exchange.locate(phase);
+        voidFraction pores(exchange, settings("sphereCaps", "diffusion"));
+        pores.update();
+        result.append(pores.solidFraction());
     }
     return result;
+}
+
+
+void expectStopAtTheSurface()
+{
+    testBox b;
+    b.span = vector(0.3, 0.3, 1);
+    b.cells = labelVector(6, 6, 20);
+    b.cut = 2;
+    testMesh test(b);
+    const fvMesh& mesh = test.mesh();
+    smoothingModels::diffusion smoothing(mesh, dictionary(IStringStream("width 3;")()));
+    smoothing.setDiameters(scalarList({0.02}));
+
+    for (const scalar atSurface : {0.0, 0.3, 0.5, 0.8})
+    {
+        const scalarField water(waterUpTo(mesh, atSurface));
+        smoothing.setWater(water);
+
+        // What is in the water stays there, and all of it
+        scalarField below(pos(water - 0.999));
+        const scalar whole = gSum(mesh.V()*below);
+        smoothing.smooth(below, 0);
+        EXPECT_LT
+        (
+            gMax((below*neg(water - 0.001))()), atSurface > 0 ? 0.015 : 1e-15
+        );
+        EXPECT_NEAR(gSum(mesh.V()*below), whole, 1e-14);
+
+        // A bed on both sides stays even
+        scalarField bed(mesh.nCells(), 0.6);
+        smoothing.smooth(bed, 0);
+        EXPECT_LT(gMax(mag(bed - 0.6)()), 1e-14);
+
+        // Its own adjoint
+        scalarField one(mesh.C().primitiveField().component(vector::Z)());
+        const scalarField other(sqr(mesh.C().primitiveField().component(vector::X)));
+        scalarField smoothOther(other);
+        const scalarField rough(one);
+        smoothing.smooth(one, 0);
+        smoothing.smooth(smoothOther, 0);
+        EXPECT_NEAR
+        (
+            gSum(mesh.V()*one*other), gSum(mesh.V()*rough*smoothOther), 1e-15
+        );
+    }
+
+    // One fluid: the whole mesh again
+    smoothing.setWater(scalarField());
+    scalarField below(pos(waterUpTo(mesh, 0) - 0.999));
+    smoothing.smooth(below, 0);
+    const scalarField air(neg(waterUpTo(mesh, 0) - 0.001));
+    EXPECT_GT(gMax((below*air)()), 0.05);
 }
 
 } // End anonymous namespace
@@ -90,15 +137,16 @@ TEST(diffusion, aPointBecomesABellCurveOfTheWidth)
     b.cells = labelVector(33, 25, 21);
     testMesh test(b);
 
-    // Two grains in the middle cell; their mean diameter is sum V d/sum V
+    // Two grains of a size class in the middle cell; their mean diameter is
+    // sum V d/sum V
     const point middle(0.5, 0.5, 0.5);
     standingGrains phase(test.mesh());
-    place(phase, pointField(2, middle), 0.008);
+    place(phase, pointField(2, middle), 0.016);
     phase.radii[1] = 0.02;
     grainExchange exchange(test.mesh());
     exchange.locate(phase);
     const scalar d =
-        (pow4(0.016) + pow4(0.04))/(pow3(0.016) + pow3(0.04));
+        (pow4(0.032) + pow4(0.04))/(pow3(0.032) + pow3(0.04));
 
     // Of exp(-r^2/width^2) it is width^2/2; that of the cell, seen from its
     // middle, is none
@@ -126,7 +174,7 @@ TEST(diffusion, aPointBecomesABellCurveOfTheWidth)
             secondMoment
             (
                 test.mesh(),
-                pores.mapping().smoothed(one, pores.mapping().ofVolume()),
+                pores.mapping().smoothed(one, pores.mapping().ofVolume(), 0),
                 middle
             )
           - vector::uniform(exact)
@@ -146,8 +194,8 @@ TEST(diffusion, wideSmoothingTakesFewFluxesAndIsThatOfTheClosedForm)
     smoothingModels::diffusion wide(mesh, dictionary(text));
 
     // Sides of 1/40 and 1/6: for a bell of 0.9 the steps would be 1,355
-    wide.setDiameter(0.3);
-    EXPECT_LT(wide.nFluxes(), 180);
+    wide.setDiameters(scalarList({0.3}));
+    EXPECT_LT(wide.nFluxes(0), 180);
 
     // A wave between the walls decays by itself: eigenvalue of the second difference
     scalarField wave(mesh.nCells());
@@ -158,7 +206,7 @@ TEST(diffusion, wideSmoothingTakesFewFluxesAndIsThatOfTheClosedForm)
     const scalar eigenvalue = sqr(2*40*Foam::sin(3*M_PI/80));
     const scalar decay = Foam::exp(-eigenvalue*sqr(0.9)/4);
     scalarField smoothed(wave);
-    wide.smooth(smoothed);
+    wide.smooth(smoothed, 0);
     EXPECT_LT(max(mag(smoothed - decay*wave)), 1e-9);
 
     // A grain in one cell, and another: kept, not below zero, its own adjoint
@@ -168,8 +216,8 @@ TEST(diffusion, wideSmoothingTakesFewFluxesAndIsThatOfTheClosedForm)
     other[777] = 1;
     scalarField oneSmoothed(one);
     scalarField otherSmoothed(other);
-    wide.smooth(oneSmoothed);
-    wide.smooth(otherSmoothed);
+    wide.smooth(oneSmoothed, 0);
+    wide.smooth(otherSmoothed, 0);
     EXPECT_NEAR(sum(oneSmoothed), 1, 1e-12);
     EXPECT_GT(min(oneSmoothed), -1e-10);
     EXPECT_NEAR(oneSmoothed[777], otherSmoothed[100], 1e-15);
@@ -185,31 +233,58 @@ TEST(diffusion, narrowSmoothingKeepsItsSteps)
     smoothingModels::diffusion narrow(test.mesh(), dictionary(text));
 
     // (3 d)^2/4 over dx^2/12, of equal cells
-    narrow.setDiameter(0.04);
-    EXPECT_EQ(narrow.nFluxes(), 18);
+    narrow.setDiameters(scalarList({0.04}));
+    EXPECT_EQ(narrow.nFluxes(0), 18);
 }
 
 
-TEST(diffusion, aBedAtRestStaysWhereCoarseGrainsComeInFarFromItAndADiameterIsGiven)
+TEST(diffusion, aBoulderLeavesTheGravelAroundItAsDenseAsItIs)
 {
-    Pair<scalar> change;
-    const std::string said
-    (
-        saidDuring([&]{ change = changeOfBedAtRest(""); })
-    );
-    testNumber("change of the solid fraction", change.first());
-    testNumber("solid that passes the surface [m]", change.second());
-    EXPECT_GT(change.first(), 0.05);
-    EXPECT_GT(change.second(), 5e-4);
-    expectSays(said, "went from 0.002 to");
-    expectSays(said, "diameter 0.002;");
+    const List<scalarField> solid(gravelWithBoulder());
+    const scalarField& both = solid[0];
+    const scalarField& gravel = solid[1];
+    const scalarField& boulder = solid[2];
 
-    const std::string quiet
-    (
-        saidDuring([&]{ change = changeOfBedAtRest("diameter 0.002;"); })
-    );
-    EXPECT_EQ(change.first(), 0);
-    expectSaysNo(quiet, "Warning");
+    // With one width for all the gravel would be smeared over 190 mm
+    EXPECT_GT(max(boulder), 1e-3);
+    EXPECT_LT(gMax(mag(both - gravel - boulder)()), 1e-14);
+}
+
+
+TEST(diffusion, warnsWhereTheWidthOfLikeGrainsChanges)
+{
+    testMesh test(box());
+    const auto said = [&](const string& more)
+    {
+        return saidDuring
+        (
+            [&]
+            {
+                smoothingModels::diffusion smoothing
+                (
+                    test.mesh(), dictionary(IStringStream(more)())
+                );
+                smoothing.setDiameters(scalarList({0.002, 0.02}));
+                smoothing.setDiameters(scalarList({0.0025, 0.02}));
+            }
+        );
+    };
+
+    expectSays(said("width 3;"), "went from 0.002 to 0.0025");
+    expectSays(said("width 3;"), "diameter 0.002;");
+    expectSaysNo(said("width 3; diameter 0.002;"), "Warning");
+}
+
+
+TEST(diffusion, stopsAtTheSurfaceOfTheWater)
+{
+    expectStopAtTheSurface();
+}
+
+
+TEST(ParallelDiffusion, stopsAtTheSurfaceOfTheWater)
+{
+    expectStopAtTheSurface();
 }
 
 

@@ -19,6 +19,7 @@
 #include "functionState.H"
 #include "granularProperties.H"
 #include "demCoupling.H"
+#include "heightChecks.H"
 #include "heldMemory.H"
 #include "reconstructionCheck.H"
 #include "slidingGate.H"
@@ -96,11 +97,11 @@ int main(int argc, char *argv[])
                 g.value(),
                 [&]()
                 {
-                    grains.moveGrains();
+                    grains.moveGrains(fluidNow);
                     grains.locateGrains();
                 }
             );
-            grains.findVoidFraction();
+            grains.findVoidFraction(alpha1);
             grains.prepareForces(fluidNow());
         }
 

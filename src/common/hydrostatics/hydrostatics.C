@@ -230,6 +230,19 @@ Foam::hydrostatics::hydrostatics
 }
 
 
+Foam::vectorField Foam::hydrostatics::gradient(const scalarField& rho) const
+{
+    vectorField result(rho.size());
+
+    forAll(rho, cell)
+    {
+        result[cell] = gradient(rho[cell]);
+    }
+
+    return result;
+}
+
+
 void Foam::hydrostatics::check(const scalarField& rho) const
 {
     if (oneFluid_ && !uniform(rho))

@@ -8,11 +8,13 @@
 #include "functionObject.H"
 #include "granularProperties.H"
 #include "keywords.H"
+#include "resultsVersion.H"
 
 Foam::demCoupling::demCoupling
 (
     const fvMesh& mesh,
-    const hydrostatics& rest
+    const hydrostatics& rest,
+    const scalarField& water
 )
 :
     mesh_(mesh),
@@ -62,7 +64,7 @@ Foam::demCoupling::demCoupling
         checkWalls();
     }
     checkRegime();
-    findVoidFraction();
+    findVoidFraction(water);
     solidBefore_ = solidAfter_;
 
     // Nothing of an interval is left to do: the grains are due
@@ -88,6 +90,17 @@ Foam::demCoupling::demCoupling(const fvMesh& mesh, const vector& g)
 }
 
 
+void Foam::demCoupling::writeGrainPhysics() const
+{
+    dictionary method;
+    method.add("resultsVersion", resultsVersion);
+
+    Info<< "Results of version " << resultsVersion << nl << endl;
+    writeActivePhysics(mesh_, "method", method);
+    writeActivePhysics(mesh_, "grains", phase_->activePhysics());
+}
+
+
 void Foam::demCoupling::startAlone() const
 {
     Info<< "Grains alone: voidFraction, interphaseForces and the fields of a fluid"
@@ -104,7 +117,7 @@ void Foam::demCoupling::startAlone() const
             << " DEM steps of " << phase_->timeStep() << " s)." << endl;
     }
 
-    writeActivePhysics(mesh_, "grains", phase_->activePhysics());
+    writeGrainPhysics();
 
     // Time 0 as they start, for pictures and later evaluation
     if (!phase_->restarted() && mesh_.time().value() < SMALL)
@@ -141,15 +154,11 @@ void Foam::demCoupling::resetSums(const vectorField& U)
 }
 
 
-void Foam::demCoupling::start
-(
-    const vectorField& pressureGradient,
-    const vectorField& U
-)
+void Foam::demCoupling::start(const fluidFields& fluid)
 {
     writeActivePhysics(mesh_, "interphaseForces", forces_->active());
-    writeActivePhysics(mesh_, "grains", phase_->activePhysics());
-    resetSums(U);
+    writeGrainPhysics();
+    resetSums(fluid.U);
     elapsed_ = phase_->exchangeInterval();
 
     if (phase_->restarted())
@@ -165,7 +174,8 @@ void Foam::demCoupling::start
         return;
     }
 
-    forces_->start(pressureGradient);
+    checkSlowGrains(fluid);
+    forces_->start(fluid, phase_->exchangeInterval());
     phase_->setFluidForce
     (
         exchange_->toPhase(forces_->force(), phase_->size()),
@@ -174,10 +184,57 @@ void Foam::demCoupling::start
 }
 
 
-void Foam::demCoupling::moveGrains()
+void Foam::demCoupling::startEntered
+(
+    const labelUList& entered,
+    const fluidFields& fluid
+)
+{
+    exchange_->locate(*phase_, entered);
+    voidFraction_->share();
+    forces_->startEntered(fluid, phase_->exchangeInterval());
+
+    const label n = phase_->size();
+    const vectorField newForce(exchange_->toPhase(forces_->force(), n));
+    const vectorField newTorque(exchange_->toPhase(forces_->torque(), n));
+    vectorField force(phase_->fluidForce());
+    vectorField torque(phase_->fluidTorque());
+
+    for (const label i : entered)
+    {
+        force[i] = newForce[i];
+        torque[i] = newTorque[i];
+    }
+    phase_->setFluidForce(force, torque);
+}
+
+
+void Foam::demCoupling::moveGrains(const std::function<fluidFields()>& fluid)
 {
     const stageTimes::stage stage(times_, "moveGrains");
-    phase_->advance();
+
+    if (!fluid)
+    {
+        phase_->advance();
+        return;
+    }
+
+    // It stands still while the grains move
+    autoPtr<fluidFields> now;
+    phase_->advance
+    (
+        [&](const labelUList& entered)
+        {
+            if (returnReduce(entered.size(), sumOp<label>()))
+            {
+                if (!now)
+                {
+                    now.reset(new fluidFields(fluid()));
+                }
+                startEntered(entered, *now);
+            }
+        }
+    );
 }
 
 
@@ -194,10 +251,11 @@ void Foam::demCoupling::locateGrains()
 }
 
 
-void Foam::demCoupling::findVoidFraction()
+void Foam::demCoupling::findVoidFraction(const scalarField& water)
 {
     const stageTimes::stage stage(times_, "findVoidFraction");
     solidBefore_ = solidAfter_;
+    voidFraction_->setWater(water);
     voidFraction_->update();
     solidAfter_ = voidFraction_->solidFraction();
 }

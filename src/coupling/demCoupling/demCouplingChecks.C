@@ -32,6 +32,50 @@ void Foam::demCoupling::checkRegime()
 }
 
 
+void Foam::demCoupling::checkSlowGrains(const fluidFields& fluid) const
+{
+    const particleMeshMapping& mapping = voidFraction_->mapping();
+    scalar most = 0;
+
+    forAll(exchange_->grains(), i)
+    {
+        const locatedGrain& grain = exchange_->grains()[i];
+        const scalar mu = max(fluid.mu[grain.cell], SMALL);
+        const scalar rho = fluid.rho[grain.cell];
+        const scalar d = 2*grain.radius/phase_->coarseGraining();
+        const scalar cell = cbrt(mesh_.V()[grain.cell]);
+        const scalar speed =
+            mag(forces_->rest().g())*sqr(d)/(18*mu)
+           *mag(grain.mass/mapping.volumes()[i] - rho);
+
+        // Among others it meets water that they all drag, as drag laws have it;
+        // faster ones leave what they have dragged behind
+        if (solidAfter_[grain.cell] < 0.01 && rho*speed*cell < mu)
+        {
+            // Stokes flow by the drag spread over a cell (measured: README.md of
+            // interphaseForces) and over a bell, that of its gathering included
+            const scalar width =
+                mapping.ofMomentum().width(mapping.sizeClass(i));
+            const scalar size = sqrt(sqr(cell/0.46) + sqr(width/0.40));
+            most = max(most, pow3(phase_->coarseGraining())*d/size);
+        }
+    }
+    reduce(most, maxOp<scalar>());
+
+    if (most > 0.02)
+    {
+        WarningInFunction
+            << "Grains that are alone and slow move up to " << 100*most
+            << " % too fast against the fluid: each drags along the fluid of its"
+            << " cell, which it is given as the fluid around." << nl
+            << "    A width of voidFraction/smoothing that is as many times as large,"
+            << " or larger cells, make it less. It does not concern grains among"
+            << " others, nor those that are faster than viscosity over cell." << nl
+            << endl;
+    }
+}
+
+
 void Foam::demCoupling::checkInside() const
 {
     const label nOutside = exchange_->nOutside();

@@ -50,7 +50,7 @@ bool Foam::demCoupling::writeCloud() const
 }
 
 
-bool Foam::demCoupling::write()
+bool Foam::demCoupling::write(const scalarField& water)
 {
     const stageTimes::stage stage(times_, "writeGrains");
 
@@ -72,6 +72,7 @@ bool Foam::demCoupling::write()
     if (forces_)
     {
         locateGrains();
+        voidFraction_->setWater(water);
         voidFraction_->update();
         solidAfter_ = voidFraction_->solidFraction();
     }

@@ -78,7 +78,7 @@ void Foam::grainExchange::checkMayLeave
     FatalErrorInFunction
         << "Grain " << phase.id()[i] << " is outside the mesh, at " << p
         << " m with velocity " << phase.velocity()[i] << " m/s, time "
-        << mesh_.time().timeName() << " s." << nl
+        << phase.timeName() << " s." << nl
         << "    The mesh is " << mesh_.bounds() << nl
         << "    The place is "
         << (
@@ -226,6 +226,16 @@ void Foam::grainExchange::collect(const granularPhase& phase)
 
 void Foam::grainExchange::locate(const granularPhase& phase)
 {
+    locate(phase, identity(phase.size()));
+}
+
+
+void Foam::grainExchange::locate
+(
+    const granularPhase& phase,
+    const labelUList& some
+)
+{
     forAll(sent_, rank)
     {
         sent_[rank].clear();
@@ -237,7 +247,7 @@ void Foam::grainExchange::locate(const granularPhase& phase)
 
     const UList<point>& position = phase.position();
 
-    forAll(position, i)
+    for (const label i : some)
     {
         const label cell = bins_.find(images_.wrap(position[i]));
 

@@ -10,18 +10,20 @@
 Foam::column::column
 (
     const fvMesh& mesh,
-    const point& start,
-    const vector& direction
+    const point& inside,
+    const vector& direction,
+    const point& from
 )
 {
     const vector e(direction/mag(direction));
+    const scalar beginning = (from - inside) & e;
     DynamicList<label> cells;
     DynamicList<scalar> lengths;
 
     forAll(mesh.cells(), celli)
     {
-        scalar from = 0;
-        scalar to = GREAT;
+        scalar begin = beginning;
+        scalar end = GREAT;
 
         for (const label facei : mesh.cells()[celli])
         {
@@ -29,27 +31,27 @@ Foam::column::column
             const bool own = mesh.faceOwner()[facei] == celli;
             const vector out((own ? S : -S)/mag(S));
 
-            const scalar gap = (mesh.faceCentres()[facei] - start) & out;
+            const scalar gap = (mesh.faceCentres()[facei] - inside) & out;
             const scalar speed = e & out;
 
             if (mag(speed) < 1e-12)
             {
-                to = gap < 0 ? -GREAT : to;
+                end = gap < 0 ? -GREAT : end;
             }
             else if (speed > 0)
             {
-                to = min(to, gap/speed);
+                end = min(end, gap/speed);
             }
             else
             {
-                from = max(from, gap/speed);
+                begin = max(begin, gap/speed);
             }
         }
 
-        if (to > from)
+        if (end > begin)
         {
             cells.append(celli);
-            lengths.append(to - from);
+            lengths.append(end - begin);
         }
     }
 
@@ -87,6 +89,9 @@ Foam::patchDisc::patchDisc
     area_(0),
     normal_(Zero),
     nearest_(-1),
+    offset_(Zero),
+    inside_(Zero),
+    cellSide_(0),
     distance_(GREAT),
     centre_(centre),
     radius_(radius)
@@ -141,10 +146,19 @@ void Foam::patchDisc::findNearest(const fvPatch& patch, const point& centre)
     if (nearest_ >= 0)
     {
         const vector& S = patch.Sf()[nearest_];
+        const fvMesh& mesh = patch.boundaryMesh().mesh();
+        const label cell = patch.faceCells()[nearest_];
+
         normal_ = S/mag(S);
+        offset_ = centre - patch.Cf()[nearest_];
+        offset_ -= (offset_ & normal_)*normal_;
+        inside_ = centre + 1e-5*(mesh.cellCentres()[cell] - centre);
+        cellSide_ = cbrt(mesh.cellVolumes()[cell]);
     }
 
     reduce(normal_, sumOp<vector>());
+    reduce(inside_, sumOp<vector>());
+    reduce(cellSide_, sumOp<scalar>());
 }
 
 
@@ -209,11 +223,19 @@ Foam::scalar Foam::patchDisc::mean(const scalarField& values) const
 }
 
 
-Foam::scalar Foam::patchDisc::nearest(const scalarField& values) const
+Foam::scalar Foam::patchDisc::atPoint
+(
+    const fvPatchScalarField& values,
+    const vectorField& gradient
+) const
 {
-    return returnReduce
-    (
-        nearest_ >= 0 ? values[nearest_] : 0,
-        sumOp<scalar>()
-    );
+    scalar value = 0;
+
+    if (nearest_ >= 0)
+    {
+        const label cell = values.patch().faceCells()[nearest_];
+        value = values[nearest_] + (offset_ & gradient[cell]);
+    }
+
+    return returnReduce(value, sumOp<scalar>());
 }

@@ -5,6 +5,8 @@
 
 #include "IOdictionary.H"
 #include "addToRunTimeSelectionTable.H"
+#include "gaussGrad.H"
+#include "linear.H"
 
 namespace Foam
 {
@@ -134,22 +136,21 @@ void Foam::functionObjects::porePressureProbes::findPlaces
             level_ == levelType::vertical ? -gravity() : -discs_[i].normal()
         );
 
-        // A probe on the edge of cells would lie in both neighbours: it is
-        // moved aside by less than any cell is wide
-        const scalar aside = 1e-6*radius_;
-        const point start
+        // A probe on the edge of cells would lie in several: the column begins in
+        // the one whose pressure is taken
+        columns_.append(new column(mesh_, discs_[i].inside(), up, probes_[i]));
+
+        if
         (
-            probes_[i] + aside*frame_.downslope()
-          + 0.618*aside*frame_.across()
-        );
-
-        columns_.append(new column(mesh_, start, up));
-
-        if (returnReduce(columns_[i].length(), sumOp<scalar>()) <= 0)
+            returnReduce(columns_[i].length(), sumOp<scalar>())
+         <= 1e-3*discs_[i].cellSide()
+        )
         {
             FatalIOErrorInFunction(dict)
                 << "No cell lies above probe " << i << " at " << probes_[i]
-                << ": is gravity " << gravity() << " right for this mesh?"
+                << ", as beneath a wall that overhangs." << nl
+                << "    Is gravity " << gravity() << " right for this mesh? Else"
+                << " move the probe, or give hydrostatic normal."
                 << exit(FatalIOError);
         }
     }
@@ -338,7 +339,11 @@ bool Foam::functionObjects::porePressureProbes::sample()
     const tmp<volScalarField> tp(fluidField(pName_));
     const tmp<volScalarField> talpha(fluidField(alphaName_));
     const label patchi = mesh_.boundaryMesh().findPatchID(patchName_);
-    const scalarField& pWall = tp().boundaryField()[patchi];
+    const fvPatchScalarField& pWall = tp().boundaryField()[patchi];
+    const tmp<volVectorField> gradient
+    (
+        fv::gaussGrad<scalar>::gradf(linearInterpolate(tp()), "gradient")
+    );
 
     const scalarList fromGrains(grainStress());
 
@@ -352,7 +357,7 @@ bool Foam::functionObjects::porePressureProbes::sample()
         {
             return pressure - hidden*(pressure - rest);
         };
-        const scalar p = shown(discs_[i].nearest(pWall));
+        const scalar p = shown(discs_[i].atPoint(pWall, gradient()));
         const scalar onBase = shown(discs_[i].mean(pWall));
         const scalar sigma = fromGrains[i] + onBase;
 

@@ -241,7 +241,7 @@ void Foam::grainsOnPoints::setFluidForce
 }
 
 
-void Foam::grainsOnPoints::advance()
+void Foam::grainsOnPoints::takeSteps(const enteredGrains&)
 {
     done_ = 0;
     moved_ = 0;

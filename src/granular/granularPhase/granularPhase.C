@@ -3,9 +3,11 @@
 
 #include "granularPhase.H"
 
+#include "Time.H"
 #include "cloud.H"
 #include "grainSnapshot.H"
 #include "keywords.H"
+#include "wedgePolyPatch.H"
 
 namespace Foam
 {
@@ -36,7 +38,9 @@ Foam::granularPhase::granularPhase
     ),
     mesh_(mesh),
     coarseGraining_(dict.lookupOrDefault<scalar>("coarseGraining", 1)),
-    stepsPerExchange_(stepsPerExchange)
+    stepsPerExchange_(stepsPerExchange),
+    startTime_(mesh.time().value()),
+    nIntervals_(0)
 {
     if (coarseGraining_ < 1)
     {
@@ -101,6 +105,23 @@ Foam::wordList Foam::granularPhase::keywordsIn(const dictionary& dict)
 }
 
 
+void Foam::granularPhase::checkPatches(const fvMesh& mesh)
+{
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (isA<wedgePolyPatch>(patch))
+        {
+            FatalErrorInFunction
+                << "Patch " << patch.name() << " is a wedge, and grains are not"
+                << " the same around an axis: they would fall out of the mesh there."
+                << nl << "    Use the whole mesh around the axis, or a slice with"
+                << " 'empty' or 'cyclic' patches, in which grains repeat."
+                << exit(FatalError);
+        }
+    }
+}
+
+
 Foam::autoPtr<Foam::granularPhase> Foam::granularPhase::New
 (
     const fvMesh& mesh,
@@ -109,6 +130,7 @@ Foam::autoPtr<Foam::granularPhase> Foam::granularPhase::New
     const label stepsPerExchange
 )
 {
+    checkPatches(mesh);
     return dictionaryConstructorTablePtr_->cfind(methodOf(dict)).val()
     (
         mesh, dict, g, stepsPerExchange
@@ -122,6 +144,12 @@ Foam::dictionary Foam::granularPhase::activePhysics() const
     result.add("coarseGraining", coarseGraining_);
     result.add("exchangeInterval", exchangeInterval());
     return result;
+}
+
+
+Foam::word Foam::granularPhase::timeName() const
+{
+    return Time::timeName(time());
 }
 
 

@@ -14,10 +14,13 @@
 #include <cstdlib>
 #include <iostream>
 
+#include <liggghts/atom.h>
+#include <liggghts/domain.h>
 #include <liggghts/force.h>
 #include <liggghts/lammps.h>
 #include <liggghts/library.h>
 #include <liggghts/integrate.h>
+#include <liggghts/neighbor.h>
 #include <liggghts/timer.h>
 #include <liggghts/universe.h>
 #include <liggghts/update.h>
@@ -29,6 +32,10 @@ namespace
     std::string busyWith;
     std::string hint;
     const Foam::screenTail* heard = nullptr;
+
+    //- More memory than this for bins alone is a mistake in the size of the grains
+    //  or of their box [GB]
+    constexpr Foam::scalar mostGigabytesOfBins = 2;
 
     //- What to do about an error of LIGGGHTS that has these words. Beside others: the
     //  hint that there is stays behind it, elsewhere it gives way
@@ -293,8 +300,57 @@ void Foam::liggghtsInstance::setup()
     update.endstep = update.laststep;
 
     lmp_->init();
+    checkBins();
+
+    // Without a grain nothing has a size, and there is no bin to sort grains into
+    int& sortEvery = lmp_->atom->sortfreq;
+    const int sortEveryWithGrains = sortEvery;
+    if (lmp_->neighbor->cutneighmax == 0)
+    {
+        sortEvery = 0;
+    }
     update.integrate->setup();
+    sortEvery = sortEveryWithGrains;
+
     lmp_->timer->init();
+}
+
+
+void Foam::liggghtsInstance::checkBins() const
+{
+    // 0, 1, 2 are nsq, bin, multi
+    if (lmp_->neighbor->style != 1)
+    {
+        return;
+    }
+
+    const LAMMPS_NS::Domain& domain = *lmp_->domain;
+    const scalar side = 0.5*lmp_->neighbor->cutneighmax;
+    scalar nBins = side > 0 ? 1 : 0;
+    vector box;
+
+    for (direction k = 0; k < 3; ++k)
+    {
+        box[k] = domain.boxhi[k] - domain.boxlo[k];
+        nBins *= std::ceil(box[k]/max(side, VSMALL));
+    }
+
+    // Two lists have an integer for each: bins of neighbours and bins of sorting
+    const scalar gigabytes = 2*sizeof(int)*nBins/1e9;
+
+    if (gigabytes > mostGigabytesOfBins)
+    {
+        FatalErrorInFunction
+            << "The grains' box of " << box.x() << " x " << box.y() << " x "
+            << box.z() << " m takes " << nBins << " bins of " << side
+            << " m to find neighbours in: " << gigabytes << " GB of memory." << nl
+            << "    A bin's side is half of the largest diameter and the distance"
+            << " that the command 'neighbor' gives." << nl
+            << "    Give it a larger distance, as 'neighbor "
+            << 2*side*std::cbrt(gigabytes/(0.1*mostGigabytesOfBins))
+            << " bin', or make the box (region of create_box) smaller."
+            << exit(FatalError);
+    }
 }
 
 

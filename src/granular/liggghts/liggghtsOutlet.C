@@ -234,7 +234,7 @@ void Foam::liggghtsOutlet::warnOfVanished
 
     WarningInFunction
         << n << " grains (said once) are gone by time "
-        << mesh_.time().timeName() << " s that were not about to reach a side"
+        << grains_.timeName() << " s that were not about to reach a side"
         << " of their box; they are lost, and do not count as left." << nl
         << "    " << describe(first).c_str() << nl
         << "    A command of the case took them away, or a contact threw them"
@@ -265,7 +265,7 @@ void Foam::liggghtsOutlet::stopForWrong
 {
     FatalErrorInFunction
         << "A grain left the mesh where it may not, by time "
-        << mesh_.time().timeName() << " s." << nl
+        << grains_.timeName() << " s." << nl
         << "    " << describe(first).c_str() << nl
         << "    " << n << " of " << nGrains_ << " grains left so." << nl
         << "    If grains pass a wall: shorten the DEM step or make the"
@@ -364,4 +364,24 @@ void Foam::liggghtsOutlet::endInsertions() const
             fix->next_reneighbor = 0;
         }
     }
+}
+
+
+Foam::label Foam::liggghtsOutlet::nStepsToInsertion() const
+{
+    label steps = labelMax;
+
+    for (const LAMMPS_NS::Fix* fix : insertions())
+    {
+        if (fix->next_reneighbor > liggghts_->update->ntimestep)
+        {
+            steps = min
+            (
+                steps,
+                label(fix->next_reneighbor - liggghts_->update->ntimestep)
+            );
+        }
+    }
+
+    return steps;
 }

@@ -131,6 +131,7 @@ Foam::liggghtsPhase::liggghtsPhase
     setVariables();
     createGrains();
     liggghtsChecks::units(liggghts_, initialScript_);
+    liggghtsChecks::sizes(liggghts_, initialScript_);
     liggghtsChecks::domain(liggghts_, mesh, initialScript_);
     walls_.makeRoom(liggghts_);
 
@@ -242,10 +243,37 @@ void Foam::liggghtsPhase::setFluidForce
 }
 
 
-void Foam::liggghtsPhase::advance()
+Foam::labelList Foam::liggghtsPhase::withoutFluidForce() const
+{
+    DynamicList<label> result;
+
+    forAll(fluidForce_, i)
+    {
+        if (fluidForce_[i] == vector::zero)
+        {
+            result.append(i);
+        }
+    }
+
+    return labelList(std::move(result));
+}
+
+
+void Foam::liggghtsPhase::takeSteps(const enteredGrains& entered)
 {
     outlet_.note();
-    liggghts_.run(stepsPerExchange());
+
+    label left = stepsPerExchange();
+    while (entered && outlet_.nStepsToInsertion() < left)
+    {
+        const label n = outlet_.nStepsToInsertion();
+        liggghts_.run(n);
+        left -= n;
+
+        refresh();
+        entered(withoutFluidForce());
+    }
+    liggghts_.run(left);
 
     refresh();
     outlet_.count();

@@ -98,6 +98,35 @@ Foam::scalar Foam::liggghtsChecks::rayleighTime
 }
 
 
+void Foam::liggghtsChecks::sizes
+(
+    liggghtsInstance& liggghts,
+    const fileName& script
+)
+{
+    const LAMMPS_NS::Atom& atom = *liggghts->atom;
+    label wrong = labelMax;
+
+    for (label i = 0; i < atom.nlocal; ++i)
+    {
+        if (!(atom.radius[i] > 0 && atom.density[i] > 0))
+        {
+            wrong = min(wrong, label(atom.tag[i]));
+        }
+    }
+
+    reduce(wrong, minOp<label>());
+    if (wrong < labelMax)
+    {
+        FatalErrorInFunction
+            << "Grain " << wrong << " of " << script << " has no diameter or no"
+            << " density." << nl
+            << "    Give both above zero, as 'set group all diameter 0.005"
+            << " density 2650'." << exit(FatalError);
+    }
+}
+
+
 void Foam::liggghtsChecks::timeStep
 (
     liggghtsInstance& liggghts,

@@ -110,13 +110,23 @@ void Foam::liggghtsChecks::noOwnWall
 (
     liggghtsInstance& liggghts,
     const polyPatch& patch,
+    const wordList& surfaces,
     const fileName& script
 )
 {
     LAMMPS_NS::Modify& modify = *liggghts->modify;
     const scalar tolerance = 1e-6*patch.boundaryMesh().mesh().bounds().mag();
 
-    for (const liggghtsScript::wall& wall : liggghtsScript::walls(script))
+    DynamicList<liggghtsScript::wall> walls(liggghtsScript::walls(script));
+    for (const word& surface : surfaces)
+    {
+        walls.append
+        (
+            liggghtsScript::wall{surface, -1, 0, wordList(1, surface)}
+        );
+    }
+
+    for (const liggghtsScript::wall& wall : walls)
     {
         if
         (

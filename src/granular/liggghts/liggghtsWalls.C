@@ -292,7 +292,7 @@ void Foam::liggghtsWalls::add(liggghtsInstance& liggghts)
             continue;
         }
 
-        liggghtsChecks::noOwnWall(liggghts, patch, script_);
+        liggghtsChecks::noOwnWall(liggghts, patch, own_, script_);
 
         const labelList on(sides(patch));
 

@@ -5,38 +5,48 @@
 #include "closuresInUse.H"
 #include "particleMeshMapping.H"
 
-Foam::List<Foam::fluidAtGrain> Foam::fluidAround
+namespace
+{
+
+using namespace Foam;
+
+//- For grains of a size class
+List<fluidAtGrain> fluidAroundClass
 (
     const particleMeshMapping& mapping,
-    const fluidFields& fluid
+    const fluidFields& fluid,
+    const label sizeClass
 )
 {
     List<fluidAtGrain> cells(fluid.rho.size());
 
     const smoothingModel& ofVolume = mapping.ofVolume();
     const smoothingModel& ofMomentum = mapping.ofMomentum();
+    const auto smoothed = [&](const auto& values, const smoothingModel& smoothing)
+    {
+        return mapping.smoothed(values, smoothing, sizeClass);
+    };
 
     // Of the fluid around, for what is exchanged
-    const scalarField rhoAround(mapping.smoothed(fluid.rho, ofVolume));
+    const scalarField rhoAround(smoothed(fluid.rho, ofVolume));
     setEach(cells, &fluidAtGrain::rhoAround, rhoAround);
     setEach
     (
         cells,
         &fluidAtGrain::rhoOfMomentum,
-        &ofMomentum == &ofVolume
-      ? rhoAround : mapping.smoothed(fluid.rho, ofMomentum)
+        &ofMomentum == &ofVolume ? rhoAround : smoothed(fluid.rho, ofMomentum)
     );
     setEach
     (
         cells,
         &fluidAtGrain::momentum,
-        mapping.smoothed(vectorField(fluid.rho*fluid.U), ofMomentum)
+        smoothed(vectorField(fluid.rho*fluid.U), ofMomentum)
     );
     setEach
     (
         cells,
         &fluidAtGrain::vorticity,
-        mapping.smoothed(vectorField(fluid.rho*fluid.vorticity), ofVolume)
+        smoothed(vectorField(fluid.rho*fluid.vorticity), ofVolume)
     );
 
     // Of the fluid at hand, for the laws
@@ -48,39 +58,80 @@ Foam::List<Foam::fluidAtGrain> Foam::fluidAround
 }
 
 
-Foam::List<Foam::meanAtGrain> Foam::meansAround
+//- For grains of a size class
+List<meanAtGrain> meansAroundClass
+(
+    const particleMeshMapping& mapping,
+    const fluidMeans& means,
+    const scalarField& rho,
+    const label sizeClass
+)
+{
+    List<meanAtGrain> cells(rho.size());
+    const auto smoothed = [&](const auto& values, const smoothingModel& smoothing)
+    {
+        return mapping.smoothed(values, smoothing, sizeClass);
+    };
+
+    setEach
+    (
+        cells, &meanAtGrain::rhoAround, smoothed(means.rho, mapping.ofVolume())
+    );
+    setEach
+    (
+        cells,
+        &meanAtGrain::momentum,
+        smoothed(vectorField(rho*means.U), mapping.ofMomentum())
+    );
+    setEach
+    (
+        cells,
+        &meanAtGrain::pressureGradient,
+        smoothed(means.pressureGradient, mapping.ofVolume())
+    );
+
+    return mapping.weights().reached(std::move(cells));
+}
+
+} // End anonymous namespace
+
+
+Foam::List<Foam::List<Foam::fluidAtGrain>> Foam::fluidAround
+(
+    const particleMeshMapping& mapping,
+    const fluidFields& fluid
+)
+{
+    List<List<fluidAtGrain>> result(mapping.nSizeClasses());
+
+    forAll(result, k)
+    {
+        result[k] = fluidAroundClass(mapping, fluid, k);
+    }
+
+    return result;
+}
+
+
+Foam::List<Foam::List<Foam::meanAtGrain>> Foam::meansAround
 (
     const particleMeshMapping& mapping,
     const fluidMeans& means,
     const scalarField& rho
 )
 {
-    List<meanAtGrain> cells(rho.size());
+    List<List<meanAtGrain>> result(mapping.nSizeClasses());
 
-    setEach
-    (
-        cells,
-        &meanAtGrain::rhoAround,
-        mapping.smoothed(means.rho, mapping.ofVolume())
-    );
-    setEach
-    (
-        cells,
-        &meanAtGrain::momentum,
-        mapping.smoothed(vectorField(rho*means.U), mapping.ofMomentum())
-    );
-    setEach
-    (
-        cells,
-        &meanAtGrain::pressureGradient,
-        mapping.smoothed(means.pressureGradient, mapping.ofVolume())
-    );
+    forAll(result, k)
+    {
+        result[k] = meansAroundClass(mapping, means, rho, k);
+    }
 
-    return mapping.weights().reached(std::move(cells));
+    return result;
 }
 
 
-Foam::List<Foam::flowAtGrain> Foam::flowAround
+Foam::List<Foam::List<Foam::flowAtGrain>> Foam::flowAround
 (
     const particleMeshMapping& mapping,
     const closuresInUse& laws,
@@ -94,29 +145,37 @@ Foam::List<Foam::flowAtGrain> Foam::flowAround
 
     if (!carries && !shears)
     {
-        return List<flowAtGrain>();
+        return List<List<flowAtGrain>>();
     }
 
-    List<flowAtGrain> cells(rho.size());
+    List<List<flowAtGrain>> result(mapping.nSizeClasses());
+    const smoothingModel& ofVolume = mapping.ofVolume();
 
-    if (carries)
+    forAll(result, k)
     {
-        setEach
-        (
-            cells,
-            &flowAtGrain::acceleration,
-            mapping.smoothed(vectorField(rho*acceleration), mapping.ofVolume())
-        );
-    }
-    if (shears)
-    {
-        setEach
-        (
-            cells,
-            &flowAtGrain::viscousForce,
-            mapping.smoothed(viscousForce, mapping.ofVolume())
-        );
+        List<flowAtGrain> cells(rho.size());
+
+        if (carries)
+        {
+            setEach
+            (
+                cells,
+                &flowAtGrain::acceleration,
+                mapping.smoothed(vectorField(rho*acceleration), ofVolume, k)
+            );
+        }
+        if (shears)
+        {
+            setEach
+            (
+                cells,
+                &flowAtGrain::viscousForce,
+                mapping.smoothed(viscousForce, ofVolume, k)
+            );
+        }
+
+        result[k] = mapping.weights().reached(std::move(cells));
     }
 
-    return mapping.weights().reached(std::move(cells));
+    return result;
 }

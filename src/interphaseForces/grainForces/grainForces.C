@@ -188,7 +188,7 @@ inline void Foam::grainForces::setForce
 }
 
 
-void Foam::grainForces::begin(const scalar interval)
+void Foam::grainForces::begin()
 {
     const label n = exchange_.grains().size();
 
@@ -204,30 +204,44 @@ void Foam::grainForces::begin(const scalar interval)
     {
         meanVelocity_.update();
     }
-    laws_.history.begin(exchange_.grains(), interval);
 }
 
 
-Foam::List<Foam::givenByGrain> Foam::grainForces::prepare
+Foam::List<Foam::List<Foam::givenByGrain>> Foam::grainForces::prepare
 (
     const fluidFields& fluid,
     const scalar interval
 )
 {
-    begin(interval);
+    laws_.history.begin(exchange_.grains(), interval);
+    return coefficients(fluid, interval);
+}
+
+
+Foam::List<Foam::List<Foam::givenByGrain>> Foam::grainForces::coefficients
+(
+    const fluidFields& fluid,
+    const scalar interval
+)
+{
+    begin();
 
     const scalarField dSauter
     (
         laws_.usesSauterDiameter() ? mapping_.sauterDiameter() : scalarField()
     );
-    const List<fluidAtGrain> around(fluidAround(mapping_, fluid));
-    const List<flowAtGrain> flow = flowAround
+    const List<List<fluidAtGrain>> around(fluidAround(mapping_, fluid));
+    const List<List<flowAtGrain>> flow = flowAround
     (
         mapping_, laws_, fluid.rho, fluid.convection, fluid.viscousForce
     );
     const cellWeights& weights = mapping_.weights();
     const label n = exchange_.grains().size();
-    List<givenByGrain> given(weights.noSums<givenByGrain>());
+    List<List<givenByGrain>> given
+    (
+        mapping_.nSizeClasses(),
+        weights.noSums<givenByGrain>()
+    );
 
     // What a block of grains is asked for stays in the nearest cache
     List<grainState> states(blockOfGrains);
@@ -243,7 +257,7 @@ Foam::List<Foam::givenByGrain> Foam::grainForces::prepare
         {
             const label i = first + k;
 
-            fluids[k] = weights.mean(around, i);
+            fluids[k] = mapping_.mean(around, i);
             states[k] =
                 stateOf(i, fluids[k], dSauter.size() ? dSauter[i] : 1);
         }
@@ -260,7 +274,7 @@ Foam::List<Foam::givenByGrain> Foam::grainForces::prepare
                 i,
                 states[k],
                 fluids[k],
-                flow.size() ? weights.mean(flow, i) : flowAtGrain(),
+                flow.size() ? mapping_.mean(flow, i) : flowAtGrain(),
                 K[k],
                 lift[k],
                 interval
@@ -272,35 +286,62 @@ Foam::List<Foam::givenByGrain> Foam::grainForces::prepare
             gives.explicitForce =
                 explicit_[i]/fluids[k].rhoOfMomentum
               + drag_[i]*(states[k].slip + meanVelocity_[i]);
-            weights.add(given, i, gives);
+            weights.add(given[mapping_.sizeClass(i)], i, gives);
         }
     }
 
-    weights.bringHome(given);
+    for (List<givenByGrain>& cells : given)
+    {
+        weights.bringHome(cells);
+    }
     return given;
 }
 
 
-void Foam::grainForces::start(const vectorField& pressureGradient)
+void Foam::grainForces::setBegun
+(
+    const fluidFields& fluid,
+    const scalar interval
+)
 {
-    const vectorField gradient
+    coefficients(fluid, interval);
+
+    // At a start p_rgh is mostly not solved for
+    finish
     (
-        mapping_.gather(voidFraction_.excess().seenFromCells(pressureGradient))
+        fluidMeans
+        {
+            fluid.U,
+            vectorField(fluid.U.size(), Zero),
+            rest_.gradient(fluid.rho),
+            fluid.viscousForce,
+            fluid.rho,
+            Zero
+        },
+        fluid.rho
     );
-
-    force_.setSize(gradient.size());
-    torque_.setSize(gradient.size());
-    torque_ = Zero;
-
-    forAll(force_, i)
-    {
-        force_[i] =
-           -laws_.pressureGradient*mapping_.volumes()[i]*gradient[i];
-    }
 }
 
 
-Foam::List<Foam::vector> Foam::grainForces::loadElsewhere
+void Foam::grainForces::start(const fluidFields& fluid, const scalar interval)
+{
+    laws_.history.begin(exchange_.grains(), interval);
+    setBegun(fluid, interval);
+}
+
+
+void Foam::grainForces::startEntered
+(
+    const fluidFields& fluid,
+    const scalar interval
+)
+{
+    laws_.history.setInterval(interval);
+    setBegun(fluid, interval);
+}
+
+
+Foam::List<Foam::List<Foam::vector>> Foam::grainForces::loadElsewhere
 (
     const fluidMeans& means
 ) const
@@ -309,7 +350,7 @@ Foam::List<Foam::vector> Foam::grainForces::loadElsewhere
 
     if (!excess.moved())
     {
-        return List<vector>();
+        return List<List<vector>>();
     }
 
     const vectorField atRest(rest_.gradient(means.rho));
@@ -323,9 +364,18 @@ Foam::List<Foam::vector> Foam::grainForces::loadElsewhere
         load += laws_.viscousForce*means.viscousForce;
     }
     load = excess.seenFromCells(load) - load;
-    mapping_.ofVolume().smooth(load);
 
-    return mapping_.weights().reached(List<vector>(std::move(load)));
+    List<List<vector>> result(mapping_.nSizeClasses());
+
+    forAll(result, k)
+    {
+        result[k] = mapping_.weights().reached<vector>
+        (
+            mapping_.smoothed(load, mapping_.ofVolume(), k)
+        );
+    }
+
+    return result;
 }
 
 
@@ -335,13 +385,12 @@ Foam::Tuple2<Foam::vector, Foam::scalar> Foam::grainForces::finish
     const scalarField& rho
 )
 {
-    const List<meanAtGrain> around(meansAround(mapping_, means, rho));
-    const List<flowAtGrain> flow = flowAround
+    const List<List<meanAtGrain>> around(meansAround(mapping_, means, rho));
+    const List<List<flowAtGrain>> flow = flowAround
     (
         mapping_, laws_, rho, means.acceleration, means.viscousForce
     );
-    const List<vector> elsewhere(loadElsewhere(means));
-    const cellWeights& weights = mapping_.weights();
+    const List<List<vector>> elsewhere(loadElsewhere(means));
     const scalarField& volumes = mapping_.volumes();
     vector sum(Zero);
     scalar size = 0;
@@ -350,7 +399,7 @@ Foam::Tuple2<Foam::vector, Foam::scalar> Foam::grainForces::finish
 
     forAll(force_, i)
     {
-        const meanAtGrain fluid(weights.mean(around, i));
+        const meanAtGrain fluid(mapping_.mean(around, i));
         const vector atRest(rest_.gradient(fluid.rhoAround));
         const vector excess(fluid.pressureGradient - atRest);
 
@@ -363,7 +412,7 @@ Foam::Tuple2<Foam::vector, Foam::scalar> Foam::grainForces::finish
 
         if (flow.size())
         {
-            const flowAtGrain here(weights.mean(flow, i));
+            const flowAtGrain here(mapping_.mean(flow, i));
 
             force_[i] +=
                 virtualMass_[i]*here.acceleration
@@ -372,7 +421,7 @@ Foam::Tuple2<Foam::vector, Foam::scalar> Foam::grainForces::finish
 
         if (elsewhere.size())
         {
-            force_[i] += volumes[i]*weights.mean(elsewhere, i);
+            force_[i] += volumes[i]*mapping_.mean(elsewhere, i);
         }
 
         sum += force_[i];

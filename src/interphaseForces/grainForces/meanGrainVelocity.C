@@ -17,16 +17,8 @@ void Foam::meanGrainVelocity::update()
 
     const auto around = [this](const auto& ofGrains)
     {
-        const cellWeights& weights = mapping_.weights();
         const smoothingModel& smoothing = mapping_.ofMomentum();
-        return weights.gather
-        (
-            mapping_.smoothed
-            (
-                mapping_.perVolume(weights.spread(ofGrains), smoothing),
-                smoothing
-            )
-        );
+        return mapping_.gather(mapping_.spread(ofGrains, smoothing), smoothing);
     };
 
     mean_ = around(vectorField(mass*mean_))/around(mass);

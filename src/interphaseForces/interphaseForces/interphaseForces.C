@@ -32,26 +32,27 @@ void Foam::interphaseForces::prepare
 )
 {
     const particleMeshMapping& mapping = voidFraction_.mapping();
-    const List<givenByGrain> sums(grains_.prepare(fluid, interval));
+    const List<List<givenByGrain>> sums(grains_.prepare(fluid, interval));
+    const auto perVolume = [&](const auto member, const smoothingModel& smoothing)
+    {
+        List<std::decay_t<decltype(each(sums[0], member))>> ofClasses(sums.size());
+        forAll(sums, k)
+        {
+            ofClasses[k] = each(sums[k], member);
+        }
+        return mapping.perVolume(ofClasses, smoothing);
+    };
 
     rho_ = fluid.rho;
-    dragCoefficient_ = rho_*mapping.perVolume
-    (
-        each(sums, &givenByGrain::drag), mapping.ofMomentum()
-    );
-    virtualMassCoefficient_ = rho_*mapping.perVolume
-    (
-        each(sums, &givenByGrain::virtualMass), mapping.ofVolume()
-    );
-    explicitForce_ = rho_*mapping.perVolume
-    (
-        each(sums, &givenByGrain::explicitForce), mapping.ofMomentum()
-    );
+    dragCoefficient_ =
+        rho_*perVolume(&givenByGrain::drag, mapping.ofMomentum());
+    virtualMassCoefficient_ =
+        rho_*perVolume(&givenByGrain::virtualMass, mapping.ofVolume());
+    explicitForce_ =
+        rho_*perVolume(&givenByGrain::explicitForce, mapping.ofMomentum());
     explicitForce_ -= dragCoefficient_*fluid.U;
-    pressureShare_ = mapping.perVolume
-    (
-        each(sums, &givenByGrain::pressureShare), mapping.ofVolume()
-    );
+    pressureShare_ =
+        perVolume(&givenByGrain::pressureShare, mapping.ofVolume());
 }
 
 

@@ -22,6 +22,15 @@ namespace smoothingModels
 
 namespace
 {
+    //- What passes between cells whose water fractions differ by this much [-]: nothing
+    //  across a sharp surface, a 250th across one that is smeared over a cell. A factor
+    //  that is smooth: with max(1 - 2 |..|, 0) the void fraction of a surge jumped where
+    //  its front went from cell to cell, and the pressure with it
+    Foam::scalar passes(const Foam::scalar difference)
+    {
+        return Foam::pow4(1 - Foam::min(Foam::mag(difference), Foam::scalar(1)));
+    }
+
     //- exp(-x) from 0 to 2 r in Chebyshev polynomials of x/r - 1: coefficients
     //  2 (-1)^k e^-r I_k(r), half of it for k = 0, to where the rest is below
     //  1e-10. By Miller's backward recurrence; their sum at x = 0 is 1, which
@@ -72,12 +81,9 @@ Foam::smoothingModels::diffusion::diffusion
     mesh_(mesh),
     width_(dict.lookupOrDefault<scalar>("width", 3)),
     givenDiameter_(dict.lookupOrDefault<scalar>("diameter", 0)),
-    firstDiameter_(0),
     warnedOfJump_(false),
     conductance_(mesh.nFaces(), Zero),
-    longestStep_(GREAT),
-    step_(0),
-    nSteps_(0)
+    longestStep_(GREAT)
 {
     keywords::check(dict, {"model", "width", "diameter", "drag"});
 
@@ -124,53 +130,96 @@ Foam::smoothingModels::diffusion::diffusion
             min(longestStep_, 0.5*mesh.V()[cell]/(perCell[cell] + VSMALL));
     }
     reduce(longestStep_, minOp<scalar>());
+    open_ = conductance_;
 }
 
 
 void Foam::smoothingModels::diffusion::warnOfJump(const scalar next)
 {
-    if (firstDiameter_ <= 0)
+    if (width_ == 0 || next <= 0)
     {
-        firstDiameter_ = next;
+        return;
     }
 
-    const bool differs = mag(next - firstDiameter_) > 0.01*firstDiameter_;
+    const label octave = std::ilogb(next);
+    firstDiameters_.insert(octave, next);
+    const scalar first = firstDiameters_[octave];
 
-    if (width_ > 0 && next > 0 && differs && !warnedOfJump_)
+    if (mag(next - first) > 0.01*first && !warnedOfJump_)
     {
         warnedOfJump_ = true;
         WarningInFunction
-            << "The mean diameter of the grains went from " << firstDiameter_
+            << "The mean diameter of grains of like size went from " << first
             << " to " << next << " m (said once), and with it the width"
-            << " of the smoothing: the void fraction changes also where"
+            << " of their smoothing: the void fraction changes also where"
             << " no grain moves, and drives water there." << nl
             << "    Give voidFraction/smoothing of constant/granularProperties a"
-            << " diameter of its own, as: diameter " << firstDiameter_ << ";"
+            << " diameter of its own, as: diameter " << first << ";"
             << endl;
     }
 }
 
 
-void Foam::smoothingModels::diffusion::setDiameter(const scalar d)
+Foam::smoothingModels::diffusion::schedule
+Foam::smoothingModels::diffusion::scheduleOf(const scalar diameter) const
 {
-    const scalar diameter = givenDiameter_ > 0 ? givenDiameter_ : d;
-    warnOfJump(diameter);
-
     // A point becomes exp(-r^2/(4 t)) after the time t
     const scalar duration = sqr(width_*diameter)/4;
 
-    nSteps_ = label(std::ceil(duration/longestStep_));
-    step_ = nSteps_ ? duration/nSteps_ : 0;
-    series_.clear();
+    schedule how;
+    how.width = width_*diameter;
+    how.nSteps = label(std::ceil(duration/longestStep_));
+    how.step = how.nSteps ? duration/how.nSteps : 0;
 
     // The steps keep what is positive so, and are fewer where they are few
-    if (nSteps_ > 20)
+    if (how.nSteps > 20)
     {
-        series_ = exponential(duration/longestStep_/2);
-        if (series_.size() > nSteps_)
+        how.series = exponential(duration/longestStep_/2);
+        if (how.series.size() > how.nSteps)
         {
-            series_.clear();
+            how.series.clear();
         }
+    }
+
+    return how;
+}
+
+
+void Foam::smoothingModels::diffusion::setDiameters(const UList<scalar>& d)
+{
+    schedules_.setSize(d.size());
+
+    forAll(d, i)
+    {
+        const scalar diameter = givenDiameter_ > 0 ? givenDiameter_ : d[i];
+        warnOfJump(diameter);
+        schedules_[i] = scheduleOf(diameter);
+    }
+}
+
+
+void Foam::smoothingModels::diffusion::setWater(const scalarField& water)
+{
+    open_ = conductance_;
+
+    if (!returnReduce(water.size(), sumOp<label>()))
+    {
+        return;
+    }
+
+    const label nInternal = mesh_.nInternalFaces();
+    scalarField behind(mesh_.nFaces() - nInternal, Zero);
+    swap(water, behind);
+
+    for (label f = 0; f < nInternal; ++f)
+    {
+        open_[f] *=
+            passes(water[mesh_.owner()[f]] - water[mesh_.neighbour()[f]]);
+    }
+    forAll(behind, i)
+    {
+        const label f = nInternal + i;
+        open_[f] *= passes(water[mesh_.faceOwner()[f]] - behind[i]);
     }
 }
 
@@ -242,7 +291,7 @@ void Foam::smoothingModels::diffusion::gainOf
     {
         const T flux
         (
-            conductance_[f]*(cells[neighbour[f]] - cells[owner[f]])
+            open_[f]*(cells[neighbour[f]] - cells[owner[f]])
         );
         gain[owner[f]] += flux;
         gain[neighbour[f]] -= flux;
@@ -255,17 +304,21 @@ void Foam::smoothingModels::diffusion::gainOf
     {
         const label f = nInternal + i;
 
-        if (conductance_[f] > 0)
+        if (open_[f] > 0)
         {
             gain[faceOwner[f]] +=
-                conductance_[f]*(behind[i] - cells[faceOwner[f]]);
+                open_[f]*(behind[i] - cells[faceOwner[f]]);
         }
     }
 }
 
 
 template<class T>
-void Foam::smoothingModels::diffusion::sumSeries(Field<T>& cells) const
+void Foam::smoothingModels::diffusion::sumSeries
+(
+    Field<T>& cells,
+    const scalarList& series
+) const
 {
     const scalarField& volume = mesh_.V();
 
@@ -280,10 +333,10 @@ void Foam::smoothingModels::diffusion::sumSeries(Field<T>& cells) const
     {
         present[cell] = -perR/volume[cell]*gain[cell] - earlier[cell];
         cells[cell] =
-            series_[0]*earlier[cell] + series_[1]*present[cell];
+            series[0]*earlier[cell] + series[1]*present[cell];
     }
 
-    for (label k = 2; k < series_.size(); ++k)
+    for (label k = 2; k < series.size(); ++k)
     {
         gainOf(present, gain);
         forAll(cells, cell)
@@ -294,31 +347,35 @@ void Foam::smoothingModels::diffusion::sumSeries(Field<T>& cells) const
             );
             earlier[cell] = present[cell];
             present[cell] = next;
-            cells[cell] += series_[k]*next;
+            cells[cell] += series[k]*next;
         }
     }
 }
 
 
 template<class T>
-void Foam::smoothingModels::diffusion::diffuse(Field<T>& cells) const
+void Foam::smoothingModels::diffusion::diffuse
+(
+    Field<T>& cells,
+    const schedule& how
+) const
 {
-    if (series_.size())
+    if (how.series.size())
     {
-        sumSeries(cells);
+        sumSeries(cells, how.series);
         return;
     }
 
     const scalarField& volume = mesh_.V();
     Field<T> gain(cells.size());
 
-    for (label n = 0; n < nSteps_; ++n)
+    for (label n = 0; n < how.nSteps; ++n)
     {
         gainOf(cells, gain);
 
         forAll(cells, cell)
         {
-            cells[cell] += step_/volume[cell]*gain[cell];
+            cells[cell] += how.step/volume[cell]*gain[cell];
         }
     }
 }

@@ -15,6 +15,7 @@ Foam::particleMeshMapping::particleMeshMapping
     exchange_(exchange),
     ofVolume_(smoothingModel::New(exchange.mesh(), dict)),
     weights_(exchange.overlap()),
+    nSizeClasses_(1),
     totalVolume_(0)
 {
     if (!dict.getOrDefault<Switch>("drag", true))
@@ -29,11 +30,47 @@ Foam::particleMeshMapping::particleMeshMapping
 
 void Foam::particleMeshMapping::set(const sizes& all)
 {
-    totalVolume_ = returnReduce(scalar(all.volume), sumOp<scalar>());
-    ofVolume_->setDiameter
-    (
-        returnReduce(all.diameter, sumOp<scalar>())/max(totalVolume_, VSMALL)
-    );
+    scalarList volumes(nOctaves);
+    scalarList diameters(nOctaves);
+
+    forAll(all, octave)
+    {
+        volumes[octave] = all[octave].volume;
+        diameters[octave] = all[octave].diameter;
+    }
+    reduce(volumes, sumOp<scalarList>());
+    reduce(diameters, sumOp<scalarList>());
+    totalVolume_ = sum(volumes);
+
+    // Octaves without a grain are no class
+    labelList sizeClass(nOctaves, Zero);
+    DynamicList<scalar> means;
+
+    forAll(volumes, octave)
+    {
+        if (volumes[octave] > 0)
+        {
+            sizeClass[octave] = means.size();
+            means.append(diameters[octave]/volumes[octave]);
+        }
+    }
+    if (means.empty())
+    {
+        means.append(0);
+    }
+
+    for (label& k : sizeClasses_)
+    {
+        k = sizeClass[k];
+    }
+    nSizeClasses_ = means.size();
+    ofVolume_->setDiameters(means);
+}
+
+
+void Foam::particleMeshMapping::setWater(const scalarField& water)
+{
+    ofVolume_->setWater(water);
 }
 
 

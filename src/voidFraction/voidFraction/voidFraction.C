@@ -31,7 +31,7 @@ Foam::voidFraction::voidFraction
 }
 
 
-void Foam::voidFraction::update()
+void Foam::voidFraction::share()
 {
     mapping_.update
     (
@@ -45,7 +45,12 @@ void Foam::voidFraction::update()
             model_->addShares(grain, walker, weights);
         }
     );
+}
 
+
+void Foam::voidFraction::update()
+{
+    share();
     solidFraction_ = mapping_.spread(mapping_.volumes());
     excess_.distribute(solidFraction_);
     report();

@@ -265,7 +265,7 @@ void Foam::materialPointsPhase::end()
 }
 
 
-void Foam::materialPointsPhase::advance()
+void Foam::materialPointsPhase::takeSteps(const enteredGrains&)
 {
     begin();
     move(exchangeInterval());

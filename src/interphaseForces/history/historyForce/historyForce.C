@@ -191,9 +191,9 @@ void Foam::historyForce::begin
     const scalar interval
 )
 {
+    setInterval(interval);
     if (active())
     {
-        makeExponentials(interval);
         follow(grains);
     }
 }
