@@ -465,8 +465,8 @@ TEST(demCoupling, warnsOfLoneSlowGrainsThatDragTheirCellAlong)
         return saidDuring([&]{ grains.start(fluid); });
     };
 
-    // 0.46 d over a cell of 0.25 m, and the bell of 60 mm
-    expectSays(said(100, ""), "move up to 3.5");
+    // 1.59 d over a cell of 0.25 m, and the bell of 60 mm
+    expectSays(said(100, ""), "move up to 9.2");
     expectSaysNo(said(100, "width 60;"), "too fast");
     expectSaysNo(said(1e-3, ""), "too fast");
 }

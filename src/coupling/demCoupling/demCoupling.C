@@ -64,7 +64,8 @@ Foam::demCoupling::demCoupling
         checkWalls();
     }
     checkRegime();
-    findVoidFraction(water);
+    makeWaterAtExchange(water);
+    findVoidFraction(waterAtExchange_().primitiveField());
     solidBefore_ = solidAfter_;
 
     // Nothing of an interval is left to do: the grains are due
@@ -86,6 +87,43 @@ Foam::demCoupling::demCoupling(const fvMesh& mesh, const vector& g)
     if (!phase_->restarted() && phase_->touchesAtRadius())
     {
         checkWalls();
+    }
+}
+
+
+void Foam::demCoupling::makeWaterAtExchange(const scalarField& water)
+{
+    IOobject io
+    (
+        "waterAtExchange",
+        mesh_.time().timeName(),
+        mesh_,
+        IOobject::NO_READ,
+        IOobject::AUTO_WRITE
+    );
+    const bool isWritten =
+        phase_->restarted() && io.typeHeaderOk<volScalarField>(true);
+
+    if (isWritten)
+    {
+        io.readOpt() = IOobject::MUST_READ;
+        waterAtExchange_.reset(new volScalarField(io, mesh_));
+        return;
+    }
+
+    waterAtExchange_.reset
+    (
+        new volScalarField
+        (
+            io,
+            mesh_,
+            dimensionedScalar("water", dimless, 1),
+            "zeroGradient"
+        )
+    );
+    if (water.size())
+    {
+        waterAtExchange_().primitiveFieldRef() = water;
     }
 }
 
@@ -255,7 +293,11 @@ void Foam::demCoupling::findVoidFraction(const scalarField& water)
 {
     const stageTimes::stage stage(times_, "findVoidFraction");
     solidBefore_ = solidAfter_;
-    voidFraction_->setWater(water);
+    if (water.size())
+    {
+        waterAtExchange_().primitiveFieldRef() = water;
+    }
+    voidFraction_->setWater(waterAtExchange_().primitiveField());
     voidFraction_->update();
     solidAfter_ = voidFraction_->solidFraction();
 }

@@ -52,11 +52,11 @@ void Foam::demCoupling::checkSlowGrains(const fluidFields& fluid) const
         // faster ones leave what they have dragged behind
         if (solidAfter_[grain.cell] < 0.01 && rho*speed*cell < mu)
         {
-            // Stokes flow by the drag spread over a cell (measured: README.md of
-            // interphaseForces) and over a bell, that of its gathering included
+            // Stokes flow by the drag on one cell and over a bell, that of its
+            // gathering included: README.md of interphaseForces
             const scalar width =
                 mapping.ofMomentum().width(mapping.sizeClass(i));
-            const scalar size = sqrt(sqr(cell/0.46) + sqr(width/0.40));
+            const scalar size = sqrt(sqr(cell/1.59) + sqr(width/0.40));
             most = max(most, pow3(phase_->coarseGraining())*d/size);
         }
     }

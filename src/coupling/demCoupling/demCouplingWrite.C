@@ -50,7 +50,7 @@ bool Foam::demCoupling::writeCloud() const
 }
 
 
-bool Foam::demCoupling::write(const scalarField& water)
+bool Foam::demCoupling::write()
 {
     const stageTimes::stage stage(times_, "writeGrains");
 
@@ -72,7 +72,6 @@ bool Foam::demCoupling::write(const scalarField& water)
     if (forces_)
     {
         locateGrains();
-        voidFraction_->setWater(water);
         voidFraction_->update();
         solidAfter_ = voidFraction_->solidFraction();
     }

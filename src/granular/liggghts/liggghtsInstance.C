@@ -300,7 +300,7 @@ void Foam::liggghtsInstance::setup()
     update.endstep = update.laststep;
 
     lmp_->init();
-    checkBins();
+    outside([this]() { checkBins(); });
 
     // Without a grain nothing has a size, and there is no bin to sort grains into
     int& sortEvery = lmp_->atom->sortfreq;

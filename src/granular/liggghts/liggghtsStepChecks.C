@@ -167,6 +167,14 @@ void Foam::liggghtsChecks::timeStep
 
     const extremes found(extremesOf(liggghts, *young, *poisson));
     const scalar shortest = found.rayleighTime;
+
+    if (shortest == GREAT)
+    {
+        Info<< "    DEM step " << update.dt << " s, not compared with the"
+            << " Rayleigh time: there is no grain, and none to come" << endl;
+        return;
+    }
+
     const string units
     (
         found.density < 100
