@@ -36,6 +36,109 @@ TEST_F(tank, waterAtRestHasNoExcessPressure)
 }
 
 
+TEST_F(tank, waterAtRestHasNoExcessPressureOnAnyWall)
+{
+    // Pressure of water at rest up to z = 1/2, in cells of 1/4 m
+    const auto atRest = [](const point& at)
+    {
+        return 1000*9.81*max(0.5 - at.z(), scalar(0));
+    };
+    forAll(p_, cell)
+    {
+        p_[cell] = atRest(box_.mesh().C()[cell]);
+    }
+    forAll(p_.boundaryField(), patch)
+    {
+        const vectorField& at = box_.mesh().Cf().boundaryField()[patch];
+        forAll(at, face)
+        {
+            p_.boundaryFieldRef()[patch][face] = atRest(at[face]);
+        }
+    }
+
+    for (const char* wall : {"xMin", "xMax", "yMin", "yMax"})
+    {
+        const bool alongX = wall[0] == 'x';
+        const bool far = string(wall + 1) == "Max";
+
+        // Amid a face, off its middle, on the edge of two and the corner of four
+        for (const scalar z : {0.375, 0.3, 0.25})
+        for (const scalar across : {0.375, 0.43, 0.5})
+        {
+            const point at
+            (
+                alongX ? scalar(far) : across, alongX ? across : scalar(far), z
+            );
+            const auto look = [&](const word& level)
+            {
+                const word name
+                (
+                    word(wall) + level + Foam::name(label(1000*z))
+                  + Foam::name(label(1000*across))
+                );
+                std::ostringstream entries;
+                entries << "probes ((" << at.x() << ' ' << at.y() << ' ' << at.z()
+                    << ")); patch " << wall << "; radius 0.2; writePrecision"
+                    << " 12; hydrostatic " << level << ";";
+                functionObjects::porePressureProbes probes
+                (
+                    name, box_.time(), dict(entries.str())
+                );
+                probes.execute();
+                probes.write();
+                return lastLine(name, "porePressureProbes");
+            };
+
+            const std::string place
+            (
+                std::string(wall) + " at height " + Foam::name(z) + ", "
+              + Foam::name(across)
+            );
+            const scalarList upwards(look("vertical"));
+            ASSERT_EQ(upwards.size(), 7);
+            EXPECT_NEAR(upwards[1], atRest(at), 1e-6) << place;
+            EXPECT_NEAR(upwards[3], 0, 1e-6) << place;
+            EXPECT_NEAR(upwards[4], 0.5 - z, 1e-9) << place;
+
+            // Through the whole tank, once
+            EXPECT_NEAR(look("normal")[4], 1, 1e-9) << place;
+        }
+    }
+}
+
+
+TEST_F(tank, aProbeBetweenTwoColumnsOfWaterIsInOneOfThem)
+{
+    // Water 0.5 m deep on one side of x = 1/2, and 0.25 m on the other
+    const auto depthAt = [](const scalar x) { return x < 0.5 ? 0.5 : 0.25; };
+    forAll(alpha_, cell)
+    {
+        const point& at = box_.mesh().C()[cell];
+        alpha_[cell] = at.z() < depthAt(at.x()) ? 1 : 0;
+    }
+    const label base = box_.mesh().boundaryMesh().findPatchID("zMin");
+    const vectorField& at = box_.mesh().Cf().boundaryField()[base];
+    forAll(at, face)
+    {
+        p_.boundaryFieldRef()[base][face] = 1000*9.81*depthAt(at[face].x());
+    }
+
+    functionObjects::porePressureProbes probes
+    (
+        "between",
+        box_.time(),
+        dict("probes ((0.5 0.45 0) (0.5 0.5 0)); patch zMin; writePrecision 12;")
+    );
+    probes.execute();
+    probes.write();
+
+    const scalarList line(lastLine("between", "porePressureProbes"));
+    ASSERT_EQ(line.size(), 13);
+    EXPECT_NEAR(line[3], 0, 1e-6);
+    EXPECT_NEAR(line[9], 0, 1e-6);
+}
+
+
 TEST_F(tank, withoutFluidTheGrainsAlonePressOnTheBase)
 {
     OFstream(box_.folder()/"constant"/"granularProperties")()

@@ -226,7 +226,8 @@ Foam::scalar Foam::patchDisc::mean(const scalarField& values) const
 Foam::scalar Foam::patchDisc::atPoint
 (
     const fvPatchScalarField& values,
-    const vectorField& gradient
+    const vector& gradient,
+    const scalarField& fraction
 ) const
 {
     scalar value = 0;
@@ -234,7 +235,7 @@ Foam::scalar Foam::patchDisc::atPoint
     if (nearest_ >= 0)
     {
         const label cell = values.patch().faceCells()[nearest_];
-        value = values[nearest_] + (offset_ & gradient[cell]);
+        value = values[nearest_] + fraction[cell]*(offset_ & gradient);
     }
 
     return returnReduce(value, sumOp<scalar>());

@@ -5,8 +5,6 @@
 
 #include "IOdictionary.H"
 #include "addToRunTimeSelectionTable.H"
-#include "gaussGrad.H"
-#include "linear.H"
 
 namespace Foam
 {
@@ -199,6 +197,20 @@ Foam::scalar Foam::functionObjects::porePressureProbes::perMetre
 }
 
 
+Foam::vector Foam::functionObjects::porePressureProbes::alongWall
+(
+    const label i
+) const
+{
+    const bool isBase =
+        (discs_[i].normal() & gravity()) > 0.5*mag(gravity());
+
+    return
+        level_ == levelType::vertical && !isBase
+      ? rhoWater()*gravity() : vector(Zero);
+}
+
+
 Foam::word Foam::functionObjects::porePressureProbes::seriesName
 (
     const label i
@@ -340,10 +352,6 @@ bool Foam::functionObjects::porePressureProbes::sample()
     const tmp<volScalarField> talpha(fluidField(alphaName_));
     const label patchi = mesh_.boundaryMesh().findPatchID(patchName_);
     const fvPatchScalarField& pWall = tp().boundaryField()[patchi];
-    const tmp<volVectorField> gradient
-    (
-        fv::gaussGrad<scalar>::gradf(linearInterpolate(tp()), "gradient")
-    );
 
     const scalarList fromGrains(grainStress());
 
@@ -357,7 +365,7 @@ bool Foam::functionObjects::porePressureProbes::sample()
         {
             return pressure - hidden*(pressure - rest);
         };
-        const scalar p = shown(discs_[i].atPoint(pWall, gradient()));
+        const scalar p = shown(discs_[i].atPoint(pWall, alongWall(i), talpha()));
         const scalar onBase = shown(discs_[i].mean(pWall));
         const scalar sigma = fromGrains[i] + onBase;
 
