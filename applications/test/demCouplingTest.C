@@ -484,7 +484,7 @@ TEST(demCoupling, aBoxWithFarTooManyBinsIsAnErrorBeforeItTakesTheMemory)
 
     expectSays(said, "1e+12 bins of 0.0001 m");
     expectSays(said, "8000 GB of memory");
-    expectSays(said, "'neighbor 0.00");
+    expectSays(said, "Make the box");
 }
 
 

@@ -59,8 +59,6 @@ int main(int argc, char *argv[])
     #include "startGrains.H"
     timeFolders::markStart(runTime);
 
-    turbulence->validate();
-
     const stopSignal stop;
     bool asked = false;
     bool toWrite = false;

@@ -34,19 +34,36 @@ namespace
     }
 
 
-    //- The void fraction that the grains of the case leave
-    scalarField poresIn(const fvMesh& mesh, const vector& g)
+    //- The pores that the grains of the case leave
+    class poresOfGrains
     {
-        const granularProperties dict(mesh);
-        const auto phase = dict.makePhase(mesh, g);
-        grainExchange exchange(mesh);
-        voidFraction pores(exchange, keywords::sub(dict, "voidFraction"));
+        const granularProperties dict_;
+        const autoPtr<granularPhase> phase_;
+        grainExchange exchange_;
+        voidFraction voidFraction_;
 
-        exchange.locate(*phase);
-        pores.update();
+    public:
 
-        return 1 - pores.solidFraction();
-    }
+        poresOfGrains(const fvMesh& mesh, const vector& g)
+        :
+            dict_(mesh),
+            phase_(dict_.makePhase(mesh, g)),
+            exchange_(mesh),
+            voidFraction_(exchange_, keywords::sub(dict_, "voidFraction"))
+        {
+            exchange_.locate(*phase_);
+        }
+
+        //- Their volume in each cell [m3], with this water fraction of the cells: the
+        //  smoothing ends at its surface
+        scalarField volumes(const scalarField& water)
+        {
+            voidFraction_.setWater(water);
+            voidFraction_.update();
+
+            return (1 - voidFraction_.solidFraction())*exchange_.mesh().V();
+        }
+    };
 
 
     boundBox boxOf(const fvMesh& mesh, const cell& c)
@@ -234,8 +251,19 @@ int main(int argc, char *argv[])
         mesh
     );
 
-    const scalarField pores(poresIn(mesh, g.value())*mesh.V());
-    const scalar level = levelOf(mass, density, mesh, box, pores, settings);
+    // The level depends on the pores, and these on the surface of the water
+    poresOfGrains grains(mesh, g.value());
+    scalarField pores(grains.volumes(scalarField(mesh.nCells(), 1)));
+    scalar level = levelOf(mass, density, mesh, box, pores, settings);
+    scalar change = GREAT;
+
+    for (label n = 0; n < 100 && change > 1e-12*mesh.bounds().mag(); ++n)
+    {
+        pores = grains.volumes(shares(mesh, box, level));
+        const scalar next = levelOf(mass, density, mesh, box, pores, settings);
+        change = mag(next - level);
+        level = next;
+    }
 
     alpha.primitiveFieldRef() = shares(mesh, box, level);
     alpha.write();

@@ -10,6 +10,9 @@
 #include "keywords.H"
 #include "resultsVersion.H"
 
+const Foam::word Foam::demCoupling::waterName("waterAtExchange");
+
+
 Foam::demCoupling::demCoupling
 (
     const fvMesh& mesh,
@@ -65,7 +68,7 @@ Foam::demCoupling::demCoupling
     }
     checkRegime();
     makeWaterAtExchange(water);
-    findVoidFraction(waterAtExchange_().primitiveField());
+    findVoidFraction();
     solidBefore_ = solidAfter_;
 
     // Nothing of an interval is left to do: the grains are due
@@ -93,38 +96,47 @@ Foam::demCoupling::demCoupling(const fvMesh& mesh, const vector& g)
 
 void Foam::demCoupling::makeWaterAtExchange(const scalarField& water)
 {
-    IOobject io
-    (
-        "waterAtExchange",
-        mesh_.time().timeName(),
-        mesh_,
-        IOobject::NO_READ,
-        IOobject::AUTO_WRITE
-    );
-    const bool isWritten =
-        phase_->restarted() && io.typeHeaderOk<volScalarField>(true);
-
-    if (isWritten)
-    {
-        io.readOpt() = IOobject::MUST_READ;
-        waterAtExchange_.reset(new volScalarField(io, mesh_));
-        return;
-    }
-
     waterAtExchange_.reset
     (
         new volScalarField
         (
-            io,
+            IOobject
+            (
+                waterName,
+                mesh_.time().timeName(),
+                mesh_,
+                phase_->restarted()
+              ? IOobject::READ_IF_PRESENT : IOobject::NO_READ,
+                IOobject::AUTO_WRITE
+            ),
             mesh_,
             dimensionedScalar("water", dimless, 1),
             "zeroGradient"
         )
     );
+
+    if (!hasWaterAtExchange(mesh_) || !phase_->restarted())
+    {
+        setWaterAtExchange(water);
+    }
+}
+
+
+void Foam::demCoupling::setWaterAtExchange(const scalarField& water)
+{
     if (water.size())
     {
-        waterAtExchange_().primitiveFieldRef() = water;
+        waterAtExchange_->primitiveFieldRef() = water;
+        waterAtExchange_->correctBoundaryConditions();
     }
+}
+
+
+bool Foam::demCoupling::hasWaterAtExchange(const fvMesh& mesh)
+{
+    return
+        IOobject(waterName, mesh.time().timeName(), mesh)
+       .typeHeaderOk<volScalarField>(true);
 }
 
 
@@ -229,7 +241,7 @@ void Foam::demCoupling::startEntered
 )
 {
     exchange_->locate(*phase_, entered);
-    voidFraction_->share();
+    voidFraction_->shareSome();
     forces_->startEntered(fluid, phase_->exchangeInterval());
 
     const label n = phase_->size();
@@ -291,13 +303,16 @@ void Foam::demCoupling::locateGrains()
 
 void Foam::demCoupling::findVoidFraction(const scalarField& water)
 {
+    setWaterAtExchange(water);
+    findVoidFraction();
+}
+
+
+void Foam::demCoupling::findVoidFraction()
+{
     const stageTimes::stage stage(times_, "findVoidFraction");
     solidBefore_ = solidAfter_;
-    if (water.size())
-    {
-        waterAtExchange_().primitiveFieldRef() = water;
-    }
-    voidFraction_->setWater(waterAtExchange_().primitiveField());
+    voidFraction_->setWater(waterAtExchange_->primitiveField());
     voidFraction_->update();
     solidAfter_ = voidFraction_->solidFraction();
 }

@@ -34,6 +34,11 @@ void Foam::demCoupling::checkRegime()
 
 void Foam::demCoupling::checkSlowGrains(const fluidFields& fluid) const
 {
+    if (forces_->active().subDict("drag").get<word>("model") == "none")
+    {
+        return;
+    }
+
     const particleMeshMapping& mapping = voidFraction_->mapping();
     scalar most = 0;
 
@@ -50,7 +55,11 @@ void Foam::demCoupling::checkSlowGrains(const fluidFields& fluid) const
 
         // Among others it meets water that they all drag, as drag laws have it;
         // faster ones leave what they have dragged behind
-        if (solidAfter_[grain.cell] < 0.01 && rho*speed*cell < mu)
+        if
+        (
+            grain.mobile && solidAfter_[grain.cell] < 0.01
+         && rho*speed*cell < mu
+        )
         {
             // Stokes flow by the drag on one cell and over a bell, that of its
             // gathering included: README.md of interphaseForces

@@ -226,11 +226,14 @@ void Foam::grainExchange::collect(const granularPhase& phase)
 
 void Foam::grainExchange::locate(const granularPhase& phase)
 {
-    locate(phase, identity(phase.size()));
+    for (const label i : locate(phase, identity(phase.size())))
+    {
+        checkMayLeave(phase, i);
+    }
 }
 
 
-void Foam::grainExchange::locate
+Foam::labelList Foam::grainExchange::locate
 (
     const granularPhase& phase,
     const labelUList& some
@@ -274,12 +277,8 @@ void Foam::grainExchange::locate
         }
     }
 
-    for (const label i : strangers)
-    {
-        checkMayLeave(phase, i);
-    }
-
     collect(phase);
+    return labelList(std::move(strangers));
 }
 
 

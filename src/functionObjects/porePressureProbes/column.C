@@ -152,7 +152,13 @@ void Foam::patchDisc::findNearest(const fvPatch& patch, const point& centre)
         normal_ = S/mag(S);
         offset_ = centre - patch.Cf()[nearest_];
         offset_ -= (offset_ & normal_)*normal_;
-        inside_ = centre + 1e-5*(mesh.cellCentres()[cell] - centre);
+
+        // Of a point that is beside the patch, too
+        const point on
+        (
+            patch.patch()[nearest_].nearestPoint(centre, points).rawPoint()
+        );
+        inside_ = on + 1e-5*(mesh.cellCentres()[cell] - on);
         cellSide_ = cbrt(mesh.cellVolumes()[cell]);
     }
 

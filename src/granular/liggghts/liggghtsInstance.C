@@ -198,7 +198,8 @@ extern "C" int MPI_Abort(MPI_Comm comm, int code)
 
 Foam::liggghtsInstance::liggghtsInstance(const fileName& logFile)
 :
-    lmp_(nullptr)
+    lmp_(nullptr),
+    sortEveryWithGrains_(0)
 {
     // A serial OpenFOAM run starts no MPI, and LIGGGHTS needs it
     UPstream::initNull();
@@ -302,15 +303,19 @@ void Foam::liggghtsInstance::setup()
     lmp_->init();
     outside([this]() { checkBins(); });
 
-    // Without a grain nothing has a size, and there is no bin to sort grains into
+    // Without a grain nothing has a size, and there are no bins to sort grains into
+    // until a setup finds one
     int& sortEvery = lmp_->atom->sortfreq;
-    const int sortEveryWithGrains = sortEvery;
     if (lmp_->neighbor->cutneighmax == 0)
     {
+        sortEveryWithGrains_ = max(sortEveryWithGrains_, label(sortEvery));
         sortEvery = 0;
     }
+    else if (sortEvery == 0)
+    {
+        sortEvery = sortEveryWithGrains_;
+    }
     update.integrate->setup();
-    sortEvery = sortEveryWithGrains;
 
     lmp_->timer->init();
 }
@@ -336,20 +341,21 @@ void Foam::liggghtsInstance::checkBins() const
     }
 
     // Two lists have an integer for each: bins of neighbours and bins of sorting
-    const scalar gigabytes = 2*sizeof(int)*nBins/1e9;
+    const scalar gigabytes = 2*sizeof(int)*nBins/1e9/Pstream::nProcs();
 
     if (gigabytes > mostGigabytesOfBins)
     {
         FatalErrorInFunction
             << "The grains' box of " << box.x() << " x " << box.y() << " x "
             << box.z() << " m takes " << nBins << " bins of " << side
-            << " m to find neighbours in: " << gigabytes << " GB of memory." << nl
-            << "    A bin's side is half of the largest diameter and the distance"
-            << " that the command 'neighbor' gives." << nl
-            << "    Give it a larger distance, as 'neighbor "
-            << 2*side*std::cbrt(gigabytes/(0.1*mostGigabytesOfBins))
-            << " bin', or make the box (region of create_box) smaller."
-            << exit(FatalError);
+            << " m to find neighbours in: " << gigabytes << " GB of memory on each"
+            << " rank." << nl
+            << "    Make the box (region of create_box) smaller, or take more ranks."
+            << " A bin's side is half of the largest" << nl
+            << "    diameter and the distance that the command 'neighbor' gives: with"
+            << " few grains, 'neighbor "
+            << 2*side*std::cbrt(gigabytes/mostGigabytesOfBins)
+            << " bin' helps as well." << exit(FatalError);
     }
 }
 

@@ -243,13 +243,13 @@ void Foam::liggghtsPhase::setFluidForce
 }
 
 
-Foam::labelList Foam::liggghtsPhase::withoutFluidForce() const
+Foam::labelList Foam::liggghtsPhase::beyond(const label lastId) const
 {
     DynamicList<label> result;
 
-    forAll(fluidForce_, i)
+    forAll(id_, i)
     {
-        if (fluidForce_[i] == vector::zero)
+        if (id_[i] > lastId)
         {
             result.append(i);
         }
@@ -266,12 +266,20 @@ void Foam::liggghtsPhase::takeSteps(const enteredGrains& entered)
     label left = stepsPerExchange();
     while (entered && outlet_.nStepsToInsertion() < left)
     {
+        // LIGGGHTS counts on from the largest
+        label lastId = 0;
+        for (const label id : id_)
+        {
+            lastId = max(lastId, id);
+        }
+        reduce(lastId, maxOp<label>());
+
         const label n = outlet_.nStepsToInsertion();
         liggghts_.run(n);
         left -= n;
 
         refresh();
-        entered(withoutFluidForce());
+        entered(beyond(lastId));
     }
     liggghts_.run(left);
 

@@ -306,7 +306,8 @@ void Foam::grainForces::setBegun
 {
     coefficients(fluid, interval);
 
-    // At a start p_rgh is mostly not solved for
+    // The pressure is that of rest: at a start p_rgh is mostly not solved for, and the
+    // mean of an interval is not known to those that come in
     finish
     (
         fluidMeans

@@ -15,7 +15,6 @@ Foam::particleMeshMapping::particleMeshMapping
     exchange_(exchange),
     ofVolume_(smoothingModel::New(exchange.mesh(), dict)),
     weights_(exchange.overlap()),
-    nSizeClasses_(1),
     totalVolume_(0)
 {
     if (!dict.getOrDefault<Switch>("drag", true))
@@ -28,7 +27,7 @@ Foam::particleMeshMapping::particleMeshMapping
 }
 
 
-void Foam::particleMeshMapping::set(const sizes& all)
+void Foam::particleMeshMapping::set(const sizes& all, const bool keepClasses)
 {
     scalarList volumes(nOctaves);
     scalarList diameters(nOctaves);
@@ -42,29 +41,32 @@ void Foam::particleMeshMapping::set(const sizes& all)
     reduce(diameters, sumOp<scalarList>());
     totalVolume_ = sum(volumes);
 
-    // Octaves without a grain are no class
-    labelList sizeClass(nOctaves, Zero);
-    DynamicList<scalar> means;
+    if (!keepClasses)
+    {
+        octaves_.clear();
+        diameters_.clear();
+    }
 
+    // Octaves without a grain are no class
     forAll(volumes, octave)
     {
-        if (volumes[octave] > 0)
+        if (volumes[octave] > 0 && !octaves_.found(octave))
         {
-            sizeClass[octave] = means.size();
-            means.append(diameters[octave]/volumes[octave]);
+            octaves_.append(octave);
+            diameters_.append(diameters[octave]/volumes[octave]);
         }
     }
-    if (means.empty())
+    if (octaves_.empty())
     {
-        means.append(0);
+        octaves_.append(0);
+        diameters_.append(0);
     }
 
     for (label& k : sizeClasses_)
     {
-        k = sizeClass[k];
+        k = octaves_.find(k);
     }
-    nSizeClasses_ = means.size();
-    ofVolume_->setDiameters(means);
+    ofVolume_->setDiameters(diameters_);
 }
 
 

@@ -31,7 +31,7 @@ Foam::voidFraction::voidFraction
 }
 
 
-void Foam::voidFraction::share()
+void Foam::voidFraction::share(const bool keepClasses)
 {
     mapping_.update
     (
@@ -43,14 +43,15 @@ void Foam::voidFraction::share()
         )
         {
             model_->addShares(grain, walker, weights);
-        }
+        },
+        keepClasses
     );
 }
 
 
 void Foam::voidFraction::update()
 {
-    share();
+    share(false);
     solidFraction_ = mapping_.spread(mapping_.volumes());
     excess_.distribute(solidFraction_);
     report();
