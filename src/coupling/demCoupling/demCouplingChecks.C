@@ -77,10 +77,9 @@ void Foam::demCoupling::checkSlowGrains(const fluidFields& fluid) const
             << "Grains that are alone and slow move up to " << 100*most
             << " % too fast against the fluid: each drags along the fluid of its"
             << " cell, which it is given as the fluid around." << nl
-            << "    A width of voidFraction/smoothing that is as many times as large,"
-            << " or larger cells, make it less. It does not concern grains among"
-            << " others, nor those that are faster than viscosity over cell." << nl
-            << endl;
+            << "    A larger width of voidFraction/smoothing or larger cells reduce"
+            << " this. Grains among others are not concerned, nor those that are"
+            << " faster than kinematic viscosity over size of a cell." << nl << endl;
     }
 }
 
