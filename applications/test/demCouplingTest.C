@@ -472,9 +472,22 @@ TEST(demCoupling, warnsOfLoneSlowGrainsThatDragTheirCellAlong)
 }
 
 
-TEST(demCoupling, aBoxWithFarTooManyBinsIsAnErrorBeforeItTakesTheMemory)
+// A box of 1 m with bins of 0.1 mm
+TEST(demCoupling, binsAreAsManyAsTheGrainsWhateverTheirBox)
 {
     boxOfWater w;
+    w.placeGrains(0.5, 1e-4);
+    w.addPhysics("neighbor 1e-4 bin\ntimestep 1e-7");
+    demCoupling grains(w.box().mesh(), hydrostatics(g));
+    grains.start(w.water());
+    exchangeOnce(grains, w);
+    EXPECT_TRUE(grains.write());
+}
+
+
+TEST(demCoupling, farTooManyBinsOfLiggghtsAreAnErrorBeforeTheyTakeTheMemory)
+{
+    boxOfWater w("LIGGGHTS { contacts stock; }");
     w.placeGrains(0.5, 1e-4);
     w.addPhysics("neighbor 1e-4 bin\ntimestep 1e-7");
     const std::string said
@@ -484,7 +497,7 @@ TEST(demCoupling, aBoxWithFarTooManyBinsIsAnErrorBeforeItTakesTheMemory)
 
     expectSays(said, "1e+12 bins of 0.0001 m");
     expectSays(said, "8000 GB of memory");
-    expectSays(said, "Make the box");
+    expectSays(said, "make the box");
 }
 
 

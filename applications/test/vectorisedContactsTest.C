@@ -73,7 +73,10 @@ struct tiltedBox
             "set group all density 2650\n"
             "set type 1 diameter 0.0105\n"
             "set type 2 diameter 0.0085\n"
+            // At each step, since LIGGGHTS keeps the spring of a contact that
+            // opened until lists are built
             "neighbor 0.003 bin\n"
+            "neigh_modify delay 0 every 1 check no\n"
             "fix a all property/global youngsModulus peratomtype 5e6 8e6\n"
             "fix b all property/global poissonsRatio peratomtype 0.3 0.2\n"
             "fix c all property/global coefficientRestitution"

@@ -6,12 +6,14 @@
 #include "OSspecific.H"
 #include "Pstream.H"
 #include "fpeGuard.H"
+#include "neighbourLists.H"
 #include "vectorisedContacts.H"
 
 #include <mpi.h>
 
 #include <climits>
 #include <cstdlib>
+#include <cstring>
 #include <iostream>
 
 #include <liggghts/atom.h>
@@ -199,6 +201,7 @@ extern "C" int MPI_Abort(MPI_Comm comm, int code)
 Foam::liggghtsInstance::liggghtsInstance(const fileName& logFile)
 :
     lmp_(nullptr),
+    lists_(nullptr),
     sortEveryWithGrains_(0)
 {
     // A serial OpenFOAM run starts no MPI, and LIGGGHTS needs it
@@ -243,9 +246,42 @@ Foam::liggghtsInstance::~liggghtsInstance()
 }
 
 
+bool Foam::liggghtsInstance::isKnown() const
+{
+    return std::strstr(lmp_->universe->version, "LIGGGHTS-PUBLIC 3.8");
+}
+
+
 bool Foam::liggghtsInstance::vectoriseContacts()
 {
-    return vectorisedContacts::addStyle(lmp_);
+    if (!isKnown())
+    {
+        return false;
+    }
+
+    vectorisedContacts::addStyle(lmp_);
+    return true;
+}
+
+
+bool Foam::liggghtsInstance::useNeighbourLists()
+{
+    if (!isKnown())
+    {
+        return false;
+    }
+
+    lists_ = &neighbourLists::replace(lmp_);
+    return true;
+}
+
+
+void Foam::liggghtsInstance::chooseSkin()
+{
+    if (lists_)
+    {
+        lists_->chooseSkin();
+    }
 }
 
 
@@ -323,8 +359,8 @@ void Foam::liggghtsInstance::setup()
 
 void Foam::liggghtsInstance::checkBins() const
 {
-    // 0, 1, 2 are nsq, bin, multi
-    if (lmp_->neighbor->style != 1)
+    // Own lists bound them. 0, 1, 2 are nsq, bin, multi
+    if (lists_ || lmp_->neighbor->style != 1)
     {
         return;
     }
@@ -350,7 +386,8 @@ void Foam::liggghtsInstance::checkBins() const
             << box.z() << " m takes " << nBins << " bins of " << side
             << " m to find neighbours in: " << gigabytes << " GB of memory on each"
             << " rank." << nl
-            << "    Make the box (region of create_box) smaller, or take more ranks."
+            << "    With contacts vectorised (the default) they are as many as the"
+            << " grains. Or make the box (region of create_box) smaller, or take more ranks."
             << " A bin's side is half of the largest" << nl
             << "    diameter and the distance that the command 'neighbor' gives: with"
             << " few grains, 'neighbor "

@@ -14,6 +14,7 @@
 #include <liggghts/fix.h>
 #include <liggghts/lammps.h>
 #include <liggghts/modify.h>
+#include <liggghts/neighbor.h>
 #include <liggghts/update.h>
 
 namespace Foam
@@ -134,6 +135,7 @@ Foam::liggghtsPhase::liggghtsPhase
     liggghtsChecks::sizes(liggghts_, initialScript_);
     liggghtsChecks::domain(liggghts_, mesh, initialScript_);
     walls_.makeRoom(liggghts_);
+    liggghts_.chooseSkin();
 
     liggghts_.script(physicsScript_, mesh.time().globalPath());
     addOwnFixes();
@@ -163,7 +165,10 @@ Foam::liggghtsPhase::liggghtsPhase
     (
         stock.empty() ? "vectorised" : "by LIGGGHTS's own loop: " + stock
     );
-    Info<< "    contacts " << contacts.c_str() << nl << endl;
+    Info<< "    contacts " << contacts.c_str() << nl
+        << "    neighbours "
+        << (liggghts_.hasNeighbourLists() ? "by size class" : "by LIGGGHTS's own bins")
+        << ", skin at most " << liggghts_->neighbor->skin << " m" << nl << endl;
 }
 
 

@@ -85,7 +85,8 @@ void Foam::liggghtsPhase::chooseContacts()
 
     if
     (
-        contacts == "vectorised" && !liggghts_.vectoriseContacts()
+        contacts == "vectorised"
+     && !(liggghts_.vectoriseContacts() && liggghts_.useNeighbourLists())
      && dict_.found("contacts")
     )
     {

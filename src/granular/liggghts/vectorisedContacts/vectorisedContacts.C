@@ -3,7 +3,7 @@
 
 #include "vectorisedContacts.H"
 
-#include <cstring>
+#include <algorithm>
 
 #include <liggghts/atom.h>
 #include <liggghts/fix_property_atom.h>
@@ -13,7 +13,6 @@
 #include <liggghts/neigh_list.h>
 #include <liggghts/neighbor.h>
 #include <liggghts/property_registry.h>
-#include <liggghts/universe.h>
 #include <liggghts/update.h>
 
 namespace
@@ -50,15 +49,9 @@ namespace
 }
 
 
-bool Foam::vectorisedContacts::addStyle(LAMMPS_NS::LAMMPS* lmp)
+void Foam::vectorisedContacts::addStyle(LAMMPS_NS::LAMMPS* lmp)
 {
-    if (!std::strstr(lmp->universe->version, "LIGGGHTS-PUBLIC 3.8"))
-    {
-        return false;
-    }
-
     (*lmp->force->pair_map)["gran"] = newVectorisedContacts;
-    return true;
 }
 
 
@@ -195,11 +188,38 @@ void Foam::vectorisedContacts::init_granular()
 }
 
 
+void Foam::vectorisedContacts::collectProperties()
+{
+    const int n = atom->ntypes + 1;
+    properties_.resize(n*n);
+
+    for (int i = 1; i < n; ++i)
+    {
+        for (int j = 1; j < n; ++j)
+        {
+            properties_[i*n + j] =
+            {
+                young_[i][j],
+                shear_[i][j],
+                damping_[i][j],
+                friction_[i][j],
+                rollingFriction_ ? rollingFriction_[i][j] : 0
+            };
+        }
+    }
+}
+
+
 void Foam::vectorisedContacts::gather(const int n)
 {
     contactBatch& c = batch_;
     const double* const velocity = atom->v[0];
     const double* const spin = atom->omega[0];
+    const double* const mass = atom->rmass;
+    const int* const type = atom->type;
+    const int nTypes = atom->ntypes + 1;
+    const bool rolls = rolling_ != rollingFriction::off;
+    const bool remembersTorque = rolling_ == rollingFriction::epsd2;
 
     for (int k = 0; k < n; ++k)
     {
@@ -209,22 +229,21 @@ void Foam::vectorisedContacts::gather(const int n)
         c.velocity.set(k, at(velocity, i) - at(velocity, j));
         c.spinI.set(k, at(spin, i));
         c.spinJ.set(k, at(spin, j));
-        c.massI[k] = atom->rmass[i];
-        c.massJ[k] = atom->rmass[j];
+        c.massI[k] = mass[i];
+        c.massJ[k] = mass[j];
 
-        const int typeI = atom->type[i];
-        const int typeJ = atom->type[j];
-        c.young[k] = young_[typeI][typeJ];
-        c.shear[k] = shear_[typeI][typeJ];
-        c.damping[k] = damping_[typeI][typeJ];
-        c.friction[k] = friction_[typeI][typeJ];
+        const pairOfTypes& p = properties_[type[i]*nTypes + type[j]];
+        c.young[k] = p.young;
+        c.shear[k] = p.shear;
+        c.damping[k] = p.damping;
+        c.friction[k] = p.friction;
         c.stretch.set(k, at(c.history[k] + stretchAt_, 0));
 
-        if (rolling_ != rollingFriction::off)
+        if (rolls)
         {
-            c.rollingFriction[k] = rollingFriction_[typeI][typeJ];
+            c.rollingFriction[k] = p.rollingFriction;
         }
-        if (rolling_ == rollingFriction::epsd2)
+        if (remembersTorque)
         {
             c.springTorque.set(k, at(c.history[k] + springTorqueAt_, 0));
         }
@@ -295,6 +314,11 @@ void Foam::vectorisedContacts::compute_force
     }
 
     evflag = vflag_fdotr = 0;
+    if (!list->inum)
+    {
+        return;
+    }
+    collectProperties();
 
     contactBatch& c = batch_;
     const int size = dnum();
@@ -304,11 +328,12 @@ void Foam::vectorisedContacts::compute_force
     for (int ii = 0; ii < list->inum; ++ii)
     {
         const int i = list->ilist[ii];
-        const triple x = at(atom->x[0], i);
-        const double ri = radius[i];
         const int* const neighbours = list->firstneigh[i];
         int* const flags = listgranhistory->firstneigh[i];
         double* const memory = listgranhistory->firstdouble[i];
+
+        const triple x = at(atom->x[0], i);
+        const double ri = radius[i];
 
         for (int jj = 0; jj < list->numneigh[i]; ++jj)
         {
@@ -316,6 +341,7 @@ void Foam::vectorisedContacts::compute_force
             const triple d = x - at(atom->x[0], j);
             const double rj = radius[j];
             const double squared = dot(d, d);
+            const bool touch = squared < (ri + rj)*(ri + rj);
 
             // Noted of each neighbour, kept of those that touch: to skip the
             // others by a branch would cost more
@@ -327,7 +353,21 @@ void Foam::vectorisedContacts::compute_force
             c.distanceSquared[n] = squared;
             c.radiusI[n] = ri;
             c.radiusJ[n] = rj;
-            n += squared < (ri + rj)*(ri + rj);
+            n += touch;
+
+            // Where a contact has opened: no spring when it closes again, whenever
+            // the lists are built. LIGGGHTS keeps the spring until then
+            if (flags[jj] && !touch)
+            {
+                flags[jj] = 0;
+                std::fill_n(memory + size*jj, size, 0.0);
+            }
+
+            // What the force needs of j is on its way until the batch is full
+            __builtin_prefetch(atom->v[0] + 3*j);
+            __builtin_prefetch(atom->omega[0] + 3*j);
+            __builtin_prefetch(atom->f[0] + 3*j, 1);
+            __builtin_prefetch(atom->torque[0] + 3*j, 1);
 
             if (n == contactBatch::capacity)
             {
