@@ -312,7 +312,7 @@ void Foam::neighbourLists::listGrains(LAMMPS_NS::NeighList* list)
                 );
         }
 
-        // By number, so that sums do not depend on when a list was built
+        // By number, so that sums do not depend on the grid
         std::sort(neighbours, neighbours + n);
 
         list->ilist[i] = i;
