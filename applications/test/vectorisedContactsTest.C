@@ -15,6 +15,7 @@
 
 #include <liggghts/atom.h>
 #include <liggghts/compute.h>
+#include <liggghts/fix.h>
 #include <liggghts/lammps.h>
 #include <liggghts/modify.h>
 
@@ -29,13 +30,14 @@ const std::string hertzHistory("model hertz tangential history");
 //- Where the grains of this rank are, how they move and what pushes them
 struct motion
 {
-    vectorField position, velocity, spin, force, torque;
+    vectorField position, velocity, spin, force, torque, wallForce;
 
     bool operator==(const motion& b) const
     {
         return
             position == b.position && velocity == b.velocity
-         && spin == b.spin && force == b.force && torque == b.torque;
+         && spin == b.spin && force == b.force && torque == b.torque
+         && wallForce == b.wallForce;
     }
 };
 
@@ -92,13 +94,18 @@ struct tiltedBox
             "fix g all nve/sphere\n"
         );
 
+        // Options of the pairs alone
+        const std::string wall
+        (
+            model.find(" on") == std::string::npos ? model : hertzHistory
+        );
         int n = 0;
         for (const std::string side : {"xplane 0", "xplane 0.069", "zplane 0"})
         {
             liggghts.command
             (
                 "fix wall" + std::to_string(n++) + " all wall/gran "
-              + hertzHistory + " primitive type 1 " + side
+              + wall + " primitive type 1 " + side + " store_force yes"
             );
         }
 
@@ -141,6 +148,13 @@ struct tiltedBox
         return result;
     }
 
+    //- Of a wall on each grain, as its fix keeps it [N]
+    double** forceOf(const std::string& wall) const
+    {
+        LAMMPS_NS::Modify& modify = *liggghts->modify;
+        return modify.fix[modify.find_fix(("force_" + wall).c_str())]->array_atom;
+    }
+
     motion now() const
     {
         const LAMMPS_NS::Atom& atom = *liggghts->atom;
@@ -148,7 +162,7 @@ struct tiltedBox
         return motion
         {
             copy(atom.x), copy(atom.v), copy(atom.omega), copy(atom.f),
-            copy(atom.torque)
+            copy(atom.torque), copy(forceOf("wall2"))
         };
     }
 
@@ -203,6 +217,7 @@ void expectSame(const std::string& model, const label n, const bool pressure)
 
     EXPECT_GT(returnReduce(box.now().position.size(), sumOp<label>()), 150);
     EXPECT_TRUE(box.now() == stock.now()) << model;
+    EXPECT_GT(gSum(mag(box.now().wallForce)), 0);
     EXPECT_EQ(box.pressure(), stock.pressure());
     EXPECT_EQ(box.pressure() > 0, pressure);
 }

@@ -8,6 +8,7 @@
 #include "fpeGuard.H"
 #include "neighbourLists.H"
 #include "vectorisedContacts.H"
+#include "vectorisedWall.H"
 
 #include <mpi.h>
 
@@ -260,6 +261,7 @@ bool Foam::liggghtsInstance::vectoriseContacts()
     }
 
     vectorisedContacts::addStyle(lmp_);
+    vectorisedWall::addStyle(lmp_);
     return true;
 }
 

@@ -14,7 +14,7 @@ namespace
     constexpr double dashpot = 2*0.91287092917527685576161630466800355658790782;
 
 
-    template<rollingFriction rolling>
+    template<rollingFriction rolling, bool wall>
     void forces(contactBatch& c, const int n, const double dt)
     {
         #pragma GCC ivdep
@@ -22,27 +22,30 @@ namespace
         {
             const triple d = c.distance(k);
             const double ri = c.radiusI[k];
-            const double rj = c.radiusJ[k];
+            const double rj = wall ? 0 : c.radiusJ[k];
             const double mi = c.massI[k];
-            const double mj = c.massJ[k];
+            const double mj = wall ? 0 : c.massJ[k];
             const triple spinI = c.spinI(k);
-            const triple spinJ = c.spinJ(k);
+            const triple spinJ = wall ? triple{0, 0, 0} : c.spinJ(k);
 
-            const double r = std::sqrt(c.distanceSquared[k]);
+            const double r =
+                wall ? ri - c.overlap[k] : std::sqrt(c.distanceSquared[k]);
             const double rinv = 1/r;
             const triple normal = d*rinv;
-            const double overlap = (ri + rj) - r;
-            const double armI = ri - 0.5*overlap;
+            const double overlap = (wall ? ri : ri + rj) - r;
+            const double armI = ri - 0.5*(wall ? c.overlap[k] : overlap);
             const double armJ = rj - 0.5*overlap;
+            const triple turning =
+                wall ? spinI*armI*rinv : (spinI*armI + spinJ*armJ)*rinv;
 
             // Velocity of the surfaces past each other
             const triple U = c.velocity(k);
             const double Un = dot(U, normal);
             const triple slip =
-                U - normal*Un - cross((spinI*armI + spinJ*armJ)*rinv, d);
+                U - normal*Un - cross(turning, d);
 
-            const double mass = mi*mj/(mi + mj);
-            const double radius = ri*rj/(ri + rj);
+            const double mass = wall ? mi : mi*mj/(mi + mj);
+            const double radius = wall ? ri : ri*rj/(ri + rj);
             const double a = std::sqrt(radius*overlap);
             const double Sn = 2*c.young[k]*a;
             const double kt = 8*c.shear[k]*a;
@@ -82,7 +85,7 @@ namespace
             );
 
             triple roll{0, 0, 0};
-            const triple spin = spinI - spinJ;
+            const triple spin = wall ? turning : spinI - spinJ;
 
             if constexpr (rolling == rollingFriction::epsd2)
             {
@@ -106,10 +109,25 @@ namespace
             else if constexpr (rolling == rollingFriction::cdt)
             {
                 const double magnitude = std::sqrt(dot(spin, spin));
-                const double limit =
-                    c.rollingFriction[k]*kn*overlap*radius;
+                const double unlessZero = magnitude > 0 ? magnitude : 1;
 
-                roll = spin*(limit/(magnitude > 0 ? magnitude : 1));
+                // LIGGGHTS's order of factors, which differs at walls
+                if constexpr (wall)
+                {
+                    const double load = c.rollingFriction[k]*(overlap*kn);
+                    roll =
+                    {
+                        load*spin.x/unlessZero*radius,
+                        load*spin.y/unlessZero*radius,
+                        load*spin.z/unlessZero*radius
+                    };
+                }
+                else
+                {
+                    const double limit =
+                        c.rollingFriction[k]*kn*overlap*radius;
+                    roll = spin*(limit/unlessZero);
+                }
                 roll = roll - normal*dot(roll, normal);
             }
 
@@ -127,18 +145,36 @@ void Foam::hertzHistory
     contactBatch& contacts,
     const int n,
     const double dt,
-    const rollingFriction rolling
+    const rollingFriction rolling,
+    const bool wall
 )
 {
+    const auto choose = [&](auto between, auto atWall)
+    {
+        (wall ? atWall : between)(contacts, n, dt);
+    };
+
     switch (rolling)
     {
         case rollingFriction::off:
-            return forces<rollingFriction::off>(contacts, n, dt);
+            return choose
+            (
+                forces<rollingFriction::off, false>,
+                forces<rollingFriction::off, true>
+            );
 
         case rollingFriction::cdt:
-            return forces<rollingFriction::cdt>(contacts, n, dt);
+            return choose
+            (
+                forces<rollingFriction::cdt, false>,
+                forces<rollingFriction::cdt, true>
+            );
 
         case rollingFriction::epsd2:
-            return forces<rollingFriction::epsd2>(contacts, n, dt);
+            return choose
+            (
+                forces<rollingFriction::epsd2, false>,
+                forces<rollingFriction::epsd2, true>
+            );
     }
 }

@@ -12,7 +12,6 @@
 #include <liggghts/modify.h>
 #include <liggghts/neigh_list.h>
 #include <liggghts/neighbor.h>
-#include <liggghts/property_registry.h>
 #include <liggghts/update.h>
 
 namespace
@@ -165,48 +164,15 @@ void Foam::vectorisedContacts::init_granular()
         return;
     }
 
-    const char* const name = "interDEMFoam's contacts";
-    PropertyRegistry& properties = force->registry;
-    properties.connect("Yeff", young_, name);
-    properties.connect("Geff", shear_, name);
-    properties.connect("betaeff", damping_, name);
-    properties.connect("coeffFrict", friction_, name);
-
     const int rolling = hashcode() >> 18;
     rolling_ =
         rolling == cdt ? rollingFriction::cdt
       : rolling == epsd2 ? rollingFriction::epsd2
       : rollingFriction::off;
 
-    if (rolling_ != rollingFriction::off)
-    {
-        properties.connect("coeffRollFrict", rollingFriction_, name);
-    }
-
+    properties_.connect(force->registry, rolling_);
     stretchAt_ = placeOf("shearx");
     springTorqueAt_ = placeOf("r_torquex_old");
-}
-
-
-void Foam::vectorisedContacts::collectProperties()
-{
-    const int n = atom->ntypes + 1;
-    properties_.resize(n*n);
-
-    for (int i = 1; i < n; ++i)
-    {
-        for (int j = 1; j < n; ++j)
-        {
-            properties_[i*n + j] =
-            {
-                young_[i][j],
-                shear_[i][j],
-                damping_[i][j],
-                friction_[i][j],
-                rollingFriction_ ? rollingFriction_[i][j] : 0
-            };
-        }
-    }
 }
 
 
@@ -217,7 +183,6 @@ void Foam::vectorisedContacts::gather(const int n)
     const double* const spin = atom->omega[0];
     const double* const mass = atom->rmass;
     const int* const type = atom->type;
-    const int nTypes = atom->ntypes + 1;
     const bool rolls = rolling_ != rollingFriction::off;
     const bool remembersTorque = rolling_ == rollingFriction::epsd2;
 
@@ -232,7 +197,7 @@ void Foam::vectorisedContacts::gather(const int n)
         c.massI[k] = mass[i];
         c.massJ[k] = mass[j];
 
-        const pairOfTypes& p = properties_[type[i]*nTypes + type[j]];
+        const auto& p = properties_(type[i], type[j]);
         c.young[k] = p.young;
         c.shear[k] = p.shear;
         c.damping[k] = p.damping;
@@ -296,7 +261,7 @@ void Foam::vectorisedContacts::scatter(const int n)
 void Foam::vectorisedContacts::flush(const int n)
 {
     gather(n);
-    hertzHistory(batch_, n, update->dt, rolling_);
+    hertzHistory(batch_, n, update->dt, rolling_, false);
     scatter(n);
 }
 
@@ -318,7 +283,7 @@ void Foam::vectorisedContacts::compute_force
     {
         return;
     }
-    collectProperties();
+    properties_.copy(atom->ntypes);
 
     contactBatch& c = batch_;
     const int size = dnum();
