@@ -353,9 +353,30 @@ void Foam::liggghtsInstance::setup()
     {
         sortEvery = sortEveryWithGrains_;
     }
-    update.integrate->setup();
+    setupUnsorted();
 
     lmp_->timer->init();
+}
+
+
+void Foam::liggghtsInstance::setupUnsorted()
+{
+    LAMMPS_NS::Atom& atom = *lmp_->atom;
+    const bigint step = lmp_->update->ntimestep;
+    const int every = atom.sortfreq;
+
+    if (!lists_ || step == 0 || every == 0)
+    {
+        return lmp_->update->integrate->setup();
+    }
+
+    atom.sortfreq = 0;
+    lmp_->update->integrate->setup();
+    atom.sortfreq = every;
+
+    // The bins for it, and the next of the fixed steps
+    atom.setup();
+    atom.nextsort = (step/every + 1)*every;
 }
 
 

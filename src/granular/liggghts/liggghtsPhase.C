@@ -142,6 +142,7 @@ Foam::liggghtsPhase::liggghtsPhase
     liggghtsChecks::timeStep(liggghts_, physicsScript_);
 
     liggghts_.setup();
+    last_.restore();
     if (!restarted_)
     {
         liggghtsChecks::overlaps(liggghts_, initialScript_);

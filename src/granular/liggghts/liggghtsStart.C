@@ -210,6 +210,8 @@ void Foam::liggghtsPhase::addOwnFixes()
         modify.fix[modify.find_fix("interDEMFoamFluid")]
     );
 
+    last_.add(liggghts_);
+
     if (eachStep_)
     {
         liggghts_.command

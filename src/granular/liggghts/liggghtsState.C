@@ -248,6 +248,7 @@ bool Foam::liggghtsPhase::writeState(const fileName& folder)
 
     outlet_.note();
     outlet_.endInsertions();
+    last_.keep();
     liggghts_.command("write_restart " + aside);
 
     // The last rank's grains come last in the file
@@ -265,6 +266,7 @@ bool Foam::liggghtsPhase::writeState(const fileName& folder)
     // Writing moves grains between ranks without making neighbour lists, and takes
     // out those that are beyond a side
     liggghts_.setup();
+    last_.restore();
     refresh();
     outlet_.count();
 

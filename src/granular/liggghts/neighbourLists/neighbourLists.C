@@ -194,7 +194,8 @@ int Foam::neighbourLists::check_distance()
         return Neighbor::check_distance();
     }
 
-    int far = 0;
+    // Grains are sorted at fixed steps, whenever the lists were built before
+    int far = atom->sortfreq > 0 && update->ntimestep % atom->sortfreq == 0;
     for (int i = 0; i < atom->nlocal; ++i)
     {
         double squared = 0;

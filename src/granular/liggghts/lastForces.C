@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The forces of the last DEM step, kept while LIGGGHTS sets itself up anew.
+
+#include "lastForces.H"
+
+#include "liggghtsInstance.H"
+
+#include <algorithm>
+
+#include <liggghts/atom.h>
+#include <liggghts/fix_property_atom.h>
+#include <liggghts/lammps.h>
+#include <liggghts/modify.h>
+
+namespace
+{
+    //- Stands where none was kept [N]
+    constexpr double none = 1e300;
+
+    LAMMPS_NS::FixPropertyAtom* vectorProperty
+    (
+        Foam::liggghtsInstance& liggghts,
+        const std::string& name
+    )
+    {
+        // In states, not to ghosts and from ghosts, three initial values
+        liggghts.command
+        (
+            "fix " + name + " all property/atom " + name
+          + " vector yes no no 1e300 1e300 1e300"
+        );
+        LAMMPS_NS::Modify& modify = *liggghts->modify;
+
+        return dynamic_cast<LAMMPS_NS::FixPropertyAtom*>
+        (
+            modify.fix[modify.find_fix(name.c_str())]
+        );
+    }
+}
+
+
+void Foam::lastForces::add(liggghtsInstance& liggghts)
+{
+    liggghts_ = &liggghts;
+    force_ = vectorProperty(liggghts, "lastForce");
+    torque_ = vectorProperty(liggghts, "lastTorque");
+}
+
+
+void Foam::lastForces::keep()
+{
+    const LAMMPS_NS::Atom& atom = *(*liggghts_)->atom;
+
+    for (int i = 0; i < atom.nlocal; ++i)
+    {
+        std::copy_n(atom.f[i], 3, force_->array_atom[i]);
+        std::copy_n(atom.torque[i], 3, torque_->array_atom[i]);
+    }
+}
+
+
+void Foam::lastForces::restore()
+{
+    const LAMMPS_NS::Atom& atom = *(*liggghts_)->atom;
+
+    for (int i = 0; i < atom.nlocal; ++i)
+    {
+        if (force_->array_atom[i][0] != none)
+        {
+            std::copy_n(force_->array_atom[i], 3, atom.f[i]);
+            std::copy_n(torque_->array_atom[i], 3, atom.torque[i]);
+        }
+    }
+}
