@@ -61,7 +61,7 @@ void expectAllPairs(const spheres& s, const double box)
 
     for (int i = 0; i < s.size(); ++i)
     {
-        const auto near = grid.above(i);
+        const auto near = grid.overlapsAbove(i);
         std::vector<int> found(near.first, near.first + near.size);
         std::sort(found.begin(), found.end());
         EXPECT_EQ(std::unique(found.begin(), found.end()), found.end());
@@ -102,6 +102,39 @@ TEST(hierarchicalGrid, findsEachPairOnce)
 }
 
 
+// Single precision has 1e-4 of a radius there
+TEST(hierarchicalGrid, findsPairsThatHardlyTouch)
+{
+    std::mt19937 numbers(3);
+    std::uniform_real_distribution<double> part(0, 1);
+    spheres s(0, 1, 1, 0);
+    const int nPairs = 2000;
+
+    for (int k = 0; k < nPairs; ++k)
+    {
+        const double x = 1000*part(numbers), y = 1000*part(numbers);
+        const double r = 0.5 + 0.5*part(numbers);
+        const double angle = 6.28*part(numbers), apart = (r + 1)*(1 - 1e-12);
+        s.x.insert(s.x.end(), {x, y, 10.0*k});
+        s.x.insert
+        (
+            s.x.end(),
+            {x + apart*std::cos(angle), y + apart*std::sin(angle), 10.0*k}
+        );
+        s.radius.insert(s.radius.end(), {r, 1});
+    }
+
+    hierarchicalGrid grid;
+    grid.set(s.x.data(), s.radius.data(), s.size());
+    int nFound = 0;
+    for (int k = 0; k < nPairs; ++k)
+    {
+        nFound += grid.overlapsAbove(2*k).size;
+    }
+    EXPECT_EQ(nFound, nPairs);
+}
+
+
 TEST(hierarchicalGrid, hasNoPairsWithoutSpheres)
 {
     hierarchicalGrid grid;
@@ -110,11 +143,11 @@ TEST(hierarchicalGrid, hasNoPairsWithoutSpheres)
     const double x[] = {1, 2, 3};
     const double radius[] = {0.5};
     grid.set(x, radius, 1);
-    EXPECT_EQ(grid.above(0).size, 0);
+    EXPECT_EQ(grid.overlapsAbove(0).size, 0);
 }
 
 
-// 2 mm beads at the ends of a box of 1 km have as many cells as in a heap
+// A thousand beads of metres in a box of 1000 km
 TEST(hierarchicalGrid, isBoundedByTheSpheresNotByTheirBox)
 {
     spheres few(1000, 4, 1e6, 0);

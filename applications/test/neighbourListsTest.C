@@ -63,14 +63,13 @@ struct stirredBox
         }
     }
 
-    //- Contacts, walls and gravity, behind more lines
-    void physics(const std::string& lines)
+    //- Contacts, walls and gravity
+    void physics(const std::string& young = "5e6")
     {
         commands
         (
-            lines
-          + "timestep 2e-5\nneigh_modify delay 0\n"
-            "fix a all property/global youngsModulus peratomtype 5e6\n"
+            "timestep 2e-5\nneigh_modify delay 0\n"
+            "fix a all property/global youngsModulus peratomtype " + young + "\n"
             "fix b all property/global poissonsRatio peratomtype 0.3\n"
             "fix c all property/global coefficientRestitution peratomtypepair 1 0.6\n"
             "fix d all property/global coefficientFriction peratomtypepair 1 0.5\n"
@@ -82,6 +81,18 @@ struct stirredBox
             " zplane 0.16\n"
         );
     }
+
+    //- A grain at x, of that radius, and its velocity along x
+    void place(const double x, const double radius, const double U)
+    {
+        std::ostringstream line;
+        line.precision(17);
+        line<< "create_atoms 1 single " << x << " 0.04 0.08 units box\nset atom "
+            << ++nPlaced << " diameter " << 2*radius << " vx " << U << " density 2500\n";
+        commands(line.str());
+    }
+
+    int nPlaced = 0;
 
     //- Grains of the radii in equal numbers per size class, apart from each other
     //  and fast
@@ -192,7 +203,7 @@ void expectNoneMissed(const double ratio, const std::string& skin)
     {
         box.liggghts.chooseSkin();
     }
-    box.physics("");
+    box.physics();
     box.commands(skin);
     box.liggghts.setup();
 
@@ -231,6 +242,22 @@ TEST(ParallelNeighbourLists, missNoContact)
 }
 
 
+TEST(neighbourLists, haveTheMeanDiameterAsSkinUnlessOneIsGiven)
+{
+    for (const std::string given : {"", "neighbor 3e-3 bin\n"})
+    {
+        stirredBox box(true);
+        box.place(0.01, 4e-3, 0);
+        box.place(0.04, 6e-3, 0);
+        box.liggghts.chooseSkin();
+        box.commands(given);
+        box.physics();
+        box.liggghts.setup();
+        EXPECT_NEAR(box.liggghts->neighbor->skin, given.empty() ? 1e-2 : 3e-3, 1e-15);
+    }
+}
+
+
 TEST(neighbourLists, takeTheSkinThatIsGiven)
 {
     expectNoneMissed(4, "neighbor 1e-3 bin\n");
@@ -241,12 +268,39 @@ TEST(neighbourLists, takeTheSkinThatIsGiven)
 }
 
 
+// A grain at rest on each side of the periodic side, and a fast one that pushes the
+// second onto the first: from so far away that its image is not seen there
+TEST(neighbourLists, knowHowFarGrainsBeyondASideMayMove)
+{
+    const double r = 5e-3;
+    stirredBox box(true);
+    box.place(0.08 - 0.09*r, r, 0);
+    box.place(2*r, r, 0);
+    box.place(4.17*r, r, -20);
+    box.liggghts.chooseSkin();
+    box.physics("1e9");
+    box.liggghts.setup();
+
+    label nTouching = 0;
+    for (label step = 0; step < 20; ++step)
+    {
+        box.liggghts.run(1);
+        const auto [nMissed, nAll] = box.missedContacts();
+        ASSERT_EQ(nMissed, 0) << "step " << step;
+        nTouching = max(nTouching, nAll);
+    }
+
+    // The fast one's, and the others' in the list of each
+    EXPECT_EQ(nTouching, 3);
+}
+
+
 // A bed that has come to rest does not make a difference in the last digit grow
 TEST(neighbourLists, moveGrainsAsLiggghtssOwn)
 {
     stirredBox settled(false);
     settled.scatter(2.5e-3, 4, 300);
-    settled.physics("");
+    settled.physics();
     settled.liggghts.setup();
     settled.liggghts.run(40000);
     const std::string state(fileName(settled.folder)/"state");
@@ -255,7 +309,7 @@ TEST(neighbourLists, moveGrainsAsLiggghtssOwn)
     stirredBox own(true, state), stock(false, state);
     for (stirredBox* one : {&own, &stock})
     {
-        one->physics("");
+        one->physics();
         one->liggghts.setup();
         one->liggghts.run(10000);
     }
@@ -269,5 +323,6 @@ TEST(neighbourLists, moveGrainsAsLiggghtssOwn)
     }
     // Of the height of the box
     EXPECT_LT(most, 1e-12*0.16);
+    EXPECT_EQ(own.missedContacts().first, 0);
     EXPECT_GT(own.missedContacts().second, label(x.size()/3));
 }

@@ -3,9 +3,10 @@
 
 #include "grainSkins.H"
 
-#include <algorithm>
+#include "boundsOf.H"
+
 #include <cmath>
-#include <limits>
+#include <numeric>
 
 void Foam::grainSkins::chooseCells
 (
@@ -14,20 +15,9 @@ void Foam::grainSkins::chooseCells
     const int n
 )
 {
-    std::array<double, 3> high;
-    low_.fill(std::numeric_limits<double>::max());
-    high.fill(std::numeric_limits<double>::lowest());
-    double sum = 0;
-
-    for (int i = 0; i < n; ++i)
-    {
-        for (int d = 0; d < 3; ++d)
-        {
-            low_[d] = std::min(low_[d], x[3*i + d]);
-            high[d] = std::max(high[d], x[3*i + d]);
-        }
-        sum += radius[i];
-    }
+    const auto [low, high] = boundsOf(x, n);
+    low_ = low;
+    const double sum = std::accumulate(radius, radius + n, 0.0);
 
     // As wide as a grain, and wider where there were more cells than grains
     side_ = 2*sum/n;
@@ -41,7 +31,7 @@ void Foam::grainSkins::chooseCells
             cells_[d] = int(std::min(cells, n + 1.0));
             all *= cells;
         }
-        side_ *= all > n ? 1.26 : 1;
+        side_ *= all > n ? wideningOfCells : 1;
     } while (all > n);
 
     fastest_.assign(std::size_t(all), 0);

@@ -3,15 +3,12 @@
 
 #include "hierarchicalGrid.H"
 
-#include <algorithm>
+#include "boundsOf.H"
+
 #include <cmath>
-#include <limits>
 
 namespace
 {
-    //- Widening of a box that has too many cells, until it has few enough
-    constexpr float coarser = 1.26f;
-
     std::array<float, 3> centre(const Foam::packedSpheres::sphere& s)
     {
         return {s.x, s.y, s.z};
@@ -68,7 +65,7 @@ void Foam::hierarchicalGrid::chooseLevels()
     for (level& l : levels_)
     {
         l.largest = 0;
-        l.id.clear();
+        l.members.clear();
     }
 
     for (int i = 0; i < n; ++i)
@@ -76,7 +73,7 @@ void Foam::hierarchicalGrid::chooseLevels()
         levelOf_[i] = std::ilogb(spheres_[i].radius) - first;
         level& l = levels_[levelOf_[i]];
         l.largest = std::max(l.largest, spheres_[i].radius);
-        l.id.push_back(i);
+        l.members.push_back(i);
     }
 }
 
@@ -89,7 +86,7 @@ void Foam::hierarchicalGrid::chooseCells()
         l.low.fill(std::numeric_limits<float>::max());
         high.fill(std::numeric_limits<float>::lowest());
 
-        for (const int i : l.id)
+        for (const int i : l.members)
         {
             const triple x = centre(spheres_[i]);
             for (int d = 0; d < 3; ++d)
@@ -99,17 +96,17 @@ void Foam::hierarchicalGrid::chooseCells()
             }
         }
 
-        const double most = mostCellsPerSphere*double(l.id.size()) + 1;
-        l.side = 2*l.largest/coarser;
+        const double most = mostCellsPerSphere*double(l.members.size()) + 1;
+        l.side = 2*l.largest/float(wideningOfCells);
         double all;
         do
         {
-            l.side *= coarser;
+            l.side *= float(wideningOfCells);
             all = 1;
             for (int d = 0; d < 3; ++d)
             {
                 const double cells =
-                    l.id.empty() ? 0 : std::floor((high[d] - l.low[d])/l.side) + 1;
+                    l.members.empty() ? 0 : std::floor((high[d] - l.low[d])/l.side) + 1;
                 l.cells[d] = int(std::min(cells, most));
                 all *= cells;
             }
@@ -126,7 +123,7 @@ void Foam::hierarchicalGrid::fill()
     {
         l.start.assign(std::size_t(l.cells[0])*l.cells[1]*l.cells[2] + 1, 0);
 
-        for (const int i : l.id)
+        for (const int i : l.members)
         {
             const triple x = centre(spheres_[i]);
             std::array<int, 3> cell;
@@ -149,12 +146,10 @@ void Foam::hierarchicalGrid::fill()
             l.start[c] += l.start[c - 1];
         }
 
-        const std::vector<int> members(std::move(l.id));
-        const std::size_t n = members.size();
-        l.id.resize(n);
-        l.spheres.resize(n);
+        l.id.resize(l.members.size());
+        l.spheres.resize(l.members.size());
 
-        for (auto i = members.rbegin(); i != members.rend(); ++i)
+        for (auto i = l.members.rbegin(); i != l.members.rend(); ++i)
         {
             const int place = --l.start[cellOf_[*i]];
             l.id[place] = *i;
@@ -178,7 +173,7 @@ void Foam::hierarchicalGrid::set
 }
 
 
-Foam::hierarchicalGrid::run Foam::hierarchicalGrid::above(const int i)
+Foam::hierarchicalGrid::indices Foam::hierarchicalGrid::overlapsAbove(const int i)
 {
     const packedSpheres::sphere s = spheres_[i];
     const triple x = centre(s);
@@ -235,7 +230,8 @@ std::size_t Foam::hierarchicalGrid::bytes() const
     for (const level& l : levels_)
     {
         sum +=
-            bytesOf(l.start) + bytesOf(l.spheres) + bytesOf(l.id);
+            bytesOf(l.members) + bytesOf(l.start) + bytesOf(l.spheres)
+          + bytesOf(l.id);
     }
 
     return sum;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 #include <string>
 
@@ -15,7 +16,6 @@
 #include <liggghts/domain.h>
 #include <liggghts/error.h>
 #include <liggghts/fix_contact_history.h>
-#include <liggghts/force.h>
 #include <liggghts/lammps.h>
 #include <liggghts/modify.h>
 #include <liggghts/neigh_list.h>
@@ -24,8 +24,8 @@
 
 namespace
 {
-    // Of 8 to 30 steps, 0.01 to 0.04 and 0.4 to 2 diameters these were among the
-    // fastest in the moving surge; all are within the scatter of its times, a tenth
+    // Tried in the moving surge: 8 to 30 steps, 0.01 to 0.04 and 0.4 to 2 diameters.
+    // All ran as fast within the scatter of their times, a tenth
 
         //- Steps for which lists shall last
         constexpr double steps = 12;
@@ -33,25 +33,24 @@ namespace
         //- Least skin of a grain, over the largest there may be
         constexpr double leastSkin = 0.02;
 
-        //- The skin where none is given, over the smallest diameter
+        //- The skin where none is given, over the mean diameter
         constexpr double skinOverDiameter = 1;
 
-    //- Bins of LIGGGHTS for each grain, at most
-    constexpr double binsPerGrain = 4;
+    //- Bins of LIGGGHTS for each grain at most, and bins that there may always be
+    constexpr double binsPerGrain = 4, binsAnyway = 1e6;
 
-    // What LIGGGHTS has before any command, in SI units
-    constexpr int style = 1, delayAtStart = 10;
-    constexpr double skinAtStart = 0.001;
+    //- LIGGGHTS's number for the style "bin"
+    constexpr int binStyle = 1;
+
+    // What LIGGGHTS has in SI units where no command says otherwise
+    constexpr int delayAtStart = 10;
 }
 
 
-Foam::neighbourLists& Foam::neighbourLists::replace(LAMMPS_NS::LAMMPS* lmp)
+void Foam::neighbourLists::replace(LAMMPS_NS::LAMMPS* lmp)
 {
     delete lmp->neighbor;
-    auto* own = new neighbourLists(lmp);
-    lmp->neighbor = own;
-
-    return *own;
+    lmp->neighbor = new neighbourLists(lmp);
 }
 
 
@@ -64,25 +63,41 @@ Foam::neighbourLists::neighbourLists(LAMMPS_NS::LAMMPS* lmp)
 bool Foam::neighbourLists::oneSkin() const
 {
     return
-        boxcheck || atom->radvary_flag || !dist_check || delay > 0 || every > 1
-     || build_once || !comm->ghost_velocity;
+        style != binStyle || newton_pair || triclinic || includegroup || boxcheck
+     || atom->radvary_flag || !dist_check || delay > 0 || every > 1 || build_once
+     || !comm->ghost_velocity;
 }
 
 
-double Foam::neighbourLists::defaultSkin() const
+double Foam::neighbourLists::meanDiameter(LAMMPS_NS::LAMMPS& lmp)
 {
-    double largest, smallest;
-    modify->max_min_rad(largest, smallest);
+    const LAMMPS_NS::Atom& atom = *lmp.atom;
+    double sums[2] =
+    {
+        atom.radius ? std::accumulate(atom.radius, atom.radius + atom.nlocal, 0.0) : 0,
+        double(atom.nlocal)
+    };
+    MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, lmp.world);
 
-    return largest > 0 ? skinOverDiameter*2*smallest : skin;
+    if (sums[0] > 0)
+    {
+        return 2*sums[0]/sums[1];
+    }
+
+    double largest, smallest;
+    lmp.modify->max_min_rad(largest, smallest);
+
+    return largest > 0 ? 2*smallest : -1;
 }
 
 
 void Foam::neighbourLists::chooseSkin()
 {
-    if (skin == skinAtStart)
+    const double d = meanDiameter(*lmp);
+
+    if (skin == liggghtsSkin && d > 0)
     {
-        ownSkin_ = skin = defaultSkin();
+        ownSkin_ = skin = skinOverDiameter*d;
     }
     if (delay == delayAtStart)
     {
@@ -91,9 +106,42 @@ void Foam::neighbourLists::chooseSkin()
 }
 
 
+void Foam::neighbourLists::makeRoomForNeighbours()
+{
+    double largest, smallest;
+    modify->max_min_rad(largest, smallest);
+
+    if (largest > 0)
+    {
+        // Small spheres as close as they can be, in the shell where they are near
+        const double inner = largest/smallest;
+        const double outer = inner + 2 + skin/smallest;
+        const double n = 0.74*(std::pow(outer, 3) - std::pow(inner, 3));
+
+        oneatom = int(std::max(double(oneatom), std::min(n, 1e7)));
+        pgsize = std::max(pgsize, 10*oneatom);
+    }
+}
+
+
+void Foam::neighbourLists::checkPositions() const
+{
+    double sum = 0;
+    for (int i = 0; i < atom->nlocal; ++i)
+    {
+        sum += atom->x[i][0] + atom->x[i][1] + atom->x[i][2];
+    }
+
+    if (!std::isfinite(sum))
+    {
+        error->one(FLERR, "Non-numeric positions of grains");
+    }
+}
+
+
 void Foam::neighbourLists::boundBins()
 {
-    if (binsizeflag && binsize_user != ownBinSize_)
+    if ((binsizeflag && binsize_user != ownBinSize_) || atom->firstgroupname)
     {
         return;
     }
@@ -106,9 +154,9 @@ void Foam::neighbourLists::boundBins()
     }
 
     // LIGGGHTS takes no bins that are 100 times as wide as the box
-    const double bins = binsPerGrain*std::max(1., double(atom->natoms));
+    const double most = std::max(binsAnyway, binsPerGrain*double(atom->natoms));
     ownBinSize_ =
-        std::max(0.5*cutneighmax, std::min(std::cbrt(volume/bins), 50*thinnest));
+        std::max(0.5*cutneighmax, std::min(std::cbrt(volume/most), 50*thinnest));
     binsize_user = ownBinSize_;
     binsizeflag = ownBinSize_ > 0;
 
@@ -129,8 +177,10 @@ void Foam::neighbourLists::init()
 {
     if (skin == ownSkin_)
     {
-        ownSkin_ = skin = defaultSkin();
+        const double d = meanDiameter(*lmp);
+        ownSkin_ = skin = d > 0 ? skinOverDiameter*d : skin;
     }
+    makeRoomForNeighbours();
 
     Neighbor::init();
     boundBins();
@@ -150,7 +200,7 @@ void Foam::neighbourLists::choose_build
     if
     (
         request->gran && !derived && !request->half && !request->full
-     && !request->omp && Neighbor::style == ::style && !newton_pair && !triclinic
+     && !request->omp && style == binStyle && !newton_pair && !triclinic
      && !includegroup
     )
     {
@@ -161,6 +211,8 @@ void Foam::neighbourLists::choose_build
 
 void Foam::neighbourLists::build(int topoflag)
 {
+    checkPositions();
+
     const int n = atom->nlocal + atom->nghost;
     const double* const radius = atom->radius;
 
@@ -181,6 +233,10 @@ void Foam::neighbourLists::build(int topoflag)
             0.5*skin,
             skins_
         );
+
+        // How far a ghost may move its owner says, who sees what is near it and not
+        // here: at most this
+        std::fill(skins_.begin() + atom->nlocal, skins_.end(), 0.5*skin);
     }
 
     Neighbor::build(topoflag);
@@ -293,25 +349,25 @@ void Foam::neighbourLists::listGrains(LAMMPS_NS::NeighList* list)
 
     for (int i = 0; i < nLocal; ++i)
     {
-        const hierarchicalGrid::run near = grid_.above(i);
+        const hierarchicalGrid::indices near = grid_.overlapsAbove(i);
+        const auto isExcluded = [&](const int j)
+        {
+            return exclusion
+            (
+                i, j, atom->type[i], atom->type[j], atom->mask, atom->molecule
+            );
+        };
+        int* const last = near.first + near.size;
+        const int n =
+            (exclude ? std::remove_if(near.first, last, isExcluded) : last) - near.first;
 
-        if (near.size >= oneatom)
+        if (n >= oneatom)
         {
             error->one(FLERR, "Neighbor list overflow, boost neigh_modify one");
         }
 
         int* const neighbours = list->ipage->vget();
-        int n = 0;
-        for (int k = 0; k < near.size; ++k)
-        {
-            const int j = near.first[k];
-            neighbours[n] = j;
-            n += !exclude
-             || !exclusion
-                (
-                    i, j, atom->type[i], atom->type[j], atom->mask, atom->molecule
-                );
-        }
+        std::copy_n(near.first, n, neighbours);
 
         // By number, so that sums do not depend on the grid
         std::sort(neighbours, neighbours + n);

@@ -3,9 +3,7 @@
 
 #include "packedSpheres.H"
 
-#include <algorithm>
-#include <array>
-#include <limits>
+#include "boundsOf.H"
 
 void Foam::packedSpheres::set
 (
@@ -14,18 +12,7 @@ void Foam::packedSpheres::set
     const int n
 )
 {
-    std::array<double, 3> low, high;
-    low.fill(std::numeric_limits<double>::max());
-    high.fill(std::numeric_limits<double>::lowest());
-
-    for (int i = 0; i < n; ++i)
-    {
-        for (int d = 0; d < 3; ++d)
-        {
-            low[d] = std::min(low[d], x[3*i + d]);
-            high[d] = std::max(high[d], x[3*i + d]);
-        }
-    }
+    const auto [low, high] = boundsOf(x, n);
 
     double extent = 0;
     for (int d = 0; n && d < 3; ++d)
