@@ -258,6 +258,34 @@ TEST(neighbourLists, haveTheMeanDiameterAsSkinUnlessOneIsGiven)
 }
 
 
+// A boulder of 20 radii has more neighbours than LIGGGHTS has room for otherwise
+TEST(neighbourLists, haveANarrowSkinAroundBoulders)
+{
+    stirredBox box(true);
+    for (int k = 0; k < 75; ++k)
+    {
+        box.place(1e-3*(k + 0.5), 5e-4, 0);
+    }
+    box.place(0.07, 1e-2, 0);
+    box.liggghts.chooseSkin();
+    box.physics();
+    box.liggghts.setup();
+    EXPECT_LT(box.liggghts->neighbor->skin, 1e-3);
+    EXPECT_GT(box.liggghts->neighbor->skin, 1e-4);
+}
+
+
+TEST(neighbourLists, chooseTheirSkinWhenTheFirstGrainsAreKnown)
+{
+    stirredBox box(true);
+    box.liggghts.chooseSkin();
+    box.place(0.01, 4e-3, 0);
+    box.physics();
+    box.liggghts.setup();
+    EXPECT_NEAR(box.liggghts->neighbor->skin, 8e-3, 1e-15);
+}
+
+
 TEST(neighbourLists, takeTheSkinThatIsGiven)
 {
     expectNoneMissed(4, "neighbor 1e-3 bin\n");

@@ -235,7 +235,9 @@ TEST(vectorisedContacts, areLiggghtsOwnToTheLastBit)
     {
         const std::string model(hertzHistory + rolling);
 
-        EXPECT_EQ(tiltedBox(model, true).liggghts.whyContactsAreStock(), "");
+        const tiltedBox box(model, true);
+        EXPECT_EQ(box.liggghts.whyContactsAreStock(), "");
+        EXPECT_EQ(box.liggghts.nVectorisedWalls(), 3);
         expectSame(model, UPstream::parRun() ? 500 : 10000, false);
     }
 }

@@ -42,8 +42,8 @@ namespace
 void Foam::lastForces::add(liggghtsInstance& liggghts)
 {
     liggghts_ = &liggghts;
-    force_ = vectorProperty(liggghts, "lastForce");
-    torque_ = vectorProperty(liggghts, "lastTorque");
+    force_ = vectorProperty(liggghts, "interDEMFoamLastForce");
+    torque_ = vectorProperty(liggghts, "interDEMFoamLastTorque");
 }
 
 

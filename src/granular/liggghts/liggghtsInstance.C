@@ -24,6 +24,7 @@
 #include <liggghts/lammps.h>
 #include <liggghts/library.h>
 #include <liggghts/integrate.h>
+#include <liggghts/modify.h>
 #include <liggghts/neighbor.h>
 #include <liggghts/timer.h>
 #include <liggghts/universe.h>
@@ -108,9 +109,10 @@ namespace
         },
         {
             "Neighbor list overflow",
-            "A grain has hundreds of neighbours: diameters and places"
-            " must both be in metres, and so\nmust the distance that"
-            " the command 'neighbor' gives.",
+            "A grain has thousands of neighbours. A boulder in sand may have: write"
+            " 'neigh_modify one 20000\npage 400000' in the script of the physics. Else"
+            " check that diameters and places are both in\nmetres, and the distance"
+            " that the command 'neighbor' gives.",
             false
         }
     };
@@ -276,6 +278,21 @@ bool Foam::liggghtsInstance::vectoriseContacts()
 }
 
 
+Foam::label Foam::liggghtsInstance::nVectorisedWalls() const
+{
+    const LAMMPS_NS::Modify& modify = *lmp_->modify;
+    label n = 0;
+
+    for (label i = 0; i < modify.nfix; ++i)
+    {
+        const auto* wall = dynamic_cast<const vectorisedWall*>(modify.fix[i]);
+        n += wall && wall->isKnown();
+    }
+
+    return n;
+}
+
+
 bool Foam::liggghtsInstance::useNeighbourLists()
 {
     if (!isKnown())
@@ -302,11 +319,16 @@ void Foam::liggghtsInstance::chooseSkin()
     }
 
     const double d = neighbourLists::meanDiameter(*lmp_);
-    if (d > 0 && lmp_->neighbor->skin == neighbourLists::liggghtsSkin)
+    const LAMMPS_NS::Neighbor& lists = *lmp_->neighbor;
+    // 1 is bin
+    if (d > 0 && lists.style == 1 && lists.skin == neighbourLists::liggghtsSkin)
     {
         std::ostringstream line;
         line<< "neighbor " << stockSkinOverDiameter*d << " bin";
         command(line.str());
+    }
+    if (lists.delay == neighbourLists::liggghtsDelay)
+    {
         command("neigh_modify delay 0");
     }
 }
@@ -434,8 +456,8 @@ void Foam::liggghtsInstance::checkBins() const
             << box.z() << " m takes " << nBins << " bins of " << side
             << " m to find neighbours in: " << gigabytes << " GB of memory on each"
             << " rank." << nl
-            << "    With contacts vectorised, the default, their number is bounded by that"
-            << " of the grains. Else make the box (region of create_box) smaller, or take more ranks."
+            << "    With contacts vectorised, the default, there are no more than 4 for a"
+            << " grain, or a million. Else make the box (region of create_box) smaller, or take more ranks."
             << " A bin's side is half of the largest" << nl
             << "    diameter and the distance that the command 'neighbor' gives: with"
             << " few grains, 'neighbor "

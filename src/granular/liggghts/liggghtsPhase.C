@@ -166,8 +166,8 @@ Foam::liggghtsPhase::liggghtsPhase
     (
         stock.empty() ? "vectorised" : "by LIGGGHTS's own loop: " + stock
     );
-    Info<< "    contacts " << contacts.c_str() << nl
-        << "    neighbours "
+    Info<< "    contacts " << contacts.c_str() << "; plane walls vectorised: "
+        << liggghts_.nVectorisedWalls() << nl << "    neighbours "
         << (liggghts_.hasNeighbourLists() ? "by size class" : "by LIGGGHTS's own bins")
         << ", skin at most " << liggghts_->neighbor->skin << " m" << nl << endl;
 }

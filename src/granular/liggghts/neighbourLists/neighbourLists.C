@@ -36,14 +36,19 @@ namespace
         //- The skin where none is given, over the mean diameter
         constexpr double skinOverDiameter = 1;
 
+    //- Less where a boulder then had more neighbours than LIGGGHTS has room for (2000),
+    //  but never below this, over the mean radius
+    constexpr double mostNeighbours = 1500, leastSkinOverRadius = 0.2;
+
+    //- Solid fraction of spheres that are as close as they can be
+    constexpr double closePacking = 0.74;
+
     //- Bins of LIGGGHTS for each grain at most, and bins that there may always be
     constexpr double binsPerGrain = 4, binsAnyway = 1e6;
 
     //- LIGGGHTS's number for the style "bin"
     constexpr int binStyle = 1;
 
-    // What LIGGGHTS has in SI units where no command says otherwise
-    constexpr int delayAtStart = 10;
 }
 
 
@@ -79,47 +84,47 @@ double Foam::neighbourLists::meanDiameter(LAMMPS_NS::LAMMPS& lmp)
     };
     MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, lmp.world);
 
-    if (sums[0] > 0)
+    return sums[0] > 0 ? 2*sums[0]/sums[1] : -1;
+}
+
+
+double Foam::neighbourLists::defaultSkin() const
+{
+    double largest, smallest;
+    modify->max_min_rad(largest, smallest);
+    if (!(largest > 0))
     {
-        return 2*sums[0]/sums[1];
+        return skin;
     }
 
-    double largest, smallest;
-    lmp.modify->max_min_rad(largest, smallest);
+    // Of grains that will be inserted the sizes alone are known
+    const double d = meanDiameter(*lmp);
+    const double radius = d > 0 ? 0.5*d : smallest;
 
-    return largest > 0 ? 2*smallest : -1;
+    // Small spheres as close as they can be fill the shell around the largest
+    const double ratio = largest/radius;
+    const double shell =
+        std::cbrt(std::pow(ratio, 3) + mostNeighbours/closePacking) - ratio - 2;
+
+    // Two digits, so that the order of a sum over grains does not count
+    std::ostringstream digits;
+    digits.precision(2);
+    digits
+        << radius*std::max(leastSkinOverRadius, std::min(2*skinOverDiameter, shell));
+
+    return std::stod(digits.str());
 }
 
 
 void Foam::neighbourLists::chooseSkin()
 {
-    const double d = meanDiameter(*lmp);
-
-    if (skin == liggghtsSkin && d > 0)
+    if (skin == liggghtsSkin)
     {
-        ownSkin_ = skin = skinOverDiameter*d;
+        ownSkin_ = skin = defaultSkin();
     }
-    if (delay == delayAtStart)
+    if (delay == liggghtsDelay)
     {
         delay = 0;
-    }
-}
-
-
-void Foam::neighbourLists::makeRoomForNeighbours()
-{
-    double largest, smallest;
-    modify->max_min_rad(largest, smallest);
-
-    if (largest > 0)
-    {
-        // Small spheres as close as they can be, in the shell where they are near
-        const double inner = largest/smallest;
-        const double outer = inner + 2 + skin/smallest;
-        const double n = 0.74*(std::pow(outer, 3) - std::pow(inner, 3));
-
-        oneatom = int(std::max(double(oneatom), std::min(n, 1e7)));
-        pgsize = std::max(pgsize, 10*oneatom);
     }
 }
 
@@ -127,7 +132,7 @@ void Foam::neighbourLists::makeRoomForNeighbours()
 void Foam::neighbourLists::checkPositions() const
 {
     double sum = 0;
-    for (int i = 0; i < atom->nlocal; ++i)
+    for (int i = 0; i < atom->nlocal + atom->nghost; ++i)
     {
         sum += atom->x[i][0] + atom->x[i][1] + atom->x[i][2];
     }
@@ -177,10 +182,8 @@ void Foam::neighbourLists::init()
 {
     if (skin == ownSkin_)
     {
-        const double d = meanDiameter(*lmp);
-        ownSkin_ = skin = d > 0 ? skinOverDiameter*d : skin;
+        ownSkin_ = skin = defaultSkin();
     }
-    makeRoomForNeighbours();
 
     Neighbor::init();
     boundBins();

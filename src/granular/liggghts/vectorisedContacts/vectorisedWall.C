@@ -229,21 +229,20 @@ void Foam::vectorisedWall::post_force(int vflag)
     for (int m = 0; m < nNear; ++m)
     {
         const int i = near[m];
-        if (!(atom->mask[i] & groupbit))
-        {
-            continue;
-        }
-
         if (store_force_)
         {
             std::fill_n(fix_wallforce_->array_atom[i], 3, 0.0);
+        }
+        if (!(atom->mask[i] & groupbit))
+        {
+            continue;
         }
 
         const double away = atom->x[i][axis_] - place_;
         const double overlap = atom->radius[i] - std::fabs(away);
         double* const history = fix_history_primitive_->array_atom[i];
 
-        if (overlap < 0)
+        if (!(overlap >= 0))
         {
             std::fill_n(history, dnum_, 0.0);
             continue;
