@@ -42,7 +42,7 @@ struct motion
 };
 
 
-//- Grains of two sizes and materials that fall into a tilted box, collide, slide
+//- Grains of two sizes and materials of three that fall into a tilted box, collide, slide
 //  and come to rest; it is periodic across
 struct tiltedBox
 {
@@ -68,7 +68,7 @@ struct tiltedBox
             "newton off\n"
             "communicate single vel yes\n"
             "region box block 0 0.069 0 0.046 0 0.092 units box\n"
-            "create_box 2 box\n"
+            "create_box 3 box\n"
             "lattice sc 0.0115 origin 0.5 0.5 0.5\n"
             "create_atoms 1 region box\n"
             "set group all type/fraction 2 0.4 51803\n"
@@ -79,14 +79,14 @@ struct tiltedBox
             // opened until lists are built
             "neighbor 0.003 bin\n"
             "neigh_modify delay 0 every 1 check no\n"
-            "fix a all property/global youngsModulus peratomtype 5e6 8e6\n"
-            "fix b all property/global poissonsRatio peratomtype 0.3 0.2\n"
+            "fix a all property/global youngsModulus peratomtype 5e6 8e6 8e6\n"
+            "fix b all property/global poissonsRatio peratomtype 0.3 0.2 0.2\n"
             "fix c all property/global coefficientRestitution"
-            " peratomtypepair 2 0.4 0.6 0.6 0.8\n"
+            " peratomtypepair 3 0.4 0.6 0.6 0.6 0.8 0.8 0.6 0.8 0.8\n"
             "fix d all property/global coefficientFriction"
-            " peratomtypepair 2 0.7 0.3 0.3 0.5\n"
+            " peratomtypepair 3 0.7 0.3 0.3 0.3 0.5 0.5 0.3 0.5 0.5\n"
             "fix e all property/global coefficientRollingFriction"
-            " peratomtypepair 2 0.1 0.3 0.3 0.2\n"
+            " peratomtypepair 3 0.1 0.3 0.3 0.3 0.2 0.2 0.3 0.2 0.2\n"
             "pair_style gran " + model + "\n"
             "pair_coeff * *\n"
             "timestep 1e-4\n"

@@ -11,6 +11,10 @@ void Foam::contactProperties::connect
     const rollingFriction rolling
 )
 {
+    // LIGGGHTS's tables end with the last type of a grain or wall
+    size_ = registry.max_type() + 1;
+    table_.resize(size_*size_);
+
     const char* const name = "interDEMFoam's contacts";
     registry.connect("Yeff", young_, name);
     registry.connect("Geff", shear_, name);
@@ -24,14 +28,11 @@ void Foam::contactProperties::connect
 }
 
 
-void Foam::contactProperties::copy(const int n)
+void Foam::contactProperties::copy()
 {
-    size_ = n + 1;
-    table_.resize(size_*size_);
-
-    for (int i = 1; i <= n; ++i)
+    for (int i = 1; i < size_; ++i)
     {
-        for (int j = 1; j <= n; ++j)
+        for (int j = 1; j < size_; ++j)
         {
             table_[i*size_ + j] =
             {

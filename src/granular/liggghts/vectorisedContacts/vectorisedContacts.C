@@ -283,7 +283,7 @@ void Foam::vectorisedContacts::compute_force
     {
         return;
     }
-    properties_.copy(atom->ntypes);
+    properties_.copy();
 
     contactBatch& c = batch_;
     const int size = dnum();

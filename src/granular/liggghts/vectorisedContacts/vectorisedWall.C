@@ -219,7 +219,7 @@ void Foam::vectorisedWall::post_force(int vflag)
         return FixWallGran::post_force(vflag);
     }
 
-    properties_.copy(atom->ntypes);
+    properties_.copy();
 
     contactBatch& c = batch_;
     int* near;
