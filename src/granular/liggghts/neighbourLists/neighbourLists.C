@@ -48,7 +48,6 @@ namespace
 
     //- LIGGGHTS's number for the style "bin"
     constexpr int binStyle = 1;
-
 }
 
 
@@ -65,12 +64,17 @@ Foam::neighbourLists::neighbourLists(LAMMPS_NS::LAMMPS* lmp)
 {}
 
 
+bool Foam::neighbourLists::areOwn() const
+{
+    return style == binStyle && !newton_pair && !triclinic && !includegroup;
+}
+
+
 bool Foam::neighbourLists::oneSkin() const
 {
     return
-        style != binStyle || newton_pair || triclinic || includegroup || boxcheck
-     || atom->radvary_flag || !dist_check || delay > 0 || every > 1 || build_once
-     || !comm->ghost_velocity;
+        !areOwn() || boxcheck || atom->radvary_flag || !dist_check || delay > 0
+     || every > 1 || build_once || !comm->ghost_velocity;
 }
 
 
@@ -203,8 +207,7 @@ void Foam::neighbourLists::choose_build
     if
     (
         request->gran && !derived && !request->half && !request->full
-     && !request->omp && style == binStyle && !newton_pair && !triclinic
-     && !includegroup
+     && !request->omp && areOwn()
     )
     {
         pair_build[index] = static_cast<PairPtr>(&neighbourLists::listGrains);

@@ -36,7 +36,7 @@ namespace
 
     Foam::triple at(const double* const vectors, const int i)
     {
-        return {vectors[3*i], vectors[3*i + 1], vectors[3*i + 2]};
+        return Foam::tripleAt(vectors + 3*i);
     }
 
     void addTo(double* const vectors, const int i, const Foam::triple& v)
@@ -202,7 +202,7 @@ void Foam::vectorisedContacts::gather(const int n)
         c.shear[k] = p.shear;
         c.damping[k] = p.damping;
         c.friction[k] = p.friction;
-        c.stretch.set(k, at(c.history[k] + stretchAt_, 0));
+        c.stretch.set(k, tripleAt(c.history[k] + stretchAt_));
 
         if (rolls)
         {
@@ -210,7 +210,7 @@ void Foam::vectorisedContacts::gather(const int n)
         }
         if (remembersTorque)
         {
-            c.springTorque.set(k, at(c.history[k] + springTorqueAt_, 0));
+            c.springTorque.set(k, tripleAt(c.history[k] + springTorqueAt_));
         }
     }
 }
@@ -222,13 +222,6 @@ void Foam::vectorisedContacts::scatter(const int n)
     double* const force = atom->f[0];
     double* const torque = atom->torque[0];
 
-    const auto remember = [](double* const place, const triple& v)
-    {
-        place[0] = v.x;
-        place[1] = v.y;
-        place[2] = v.z;
-    };
-
     const bool remembersTorque = rolling_ == rollingFriction::epsd2;
     const int marks =
         normalModel | tangentialModel | (remembersTorque ? rollingModel : 0);
@@ -237,10 +230,10 @@ void Foam::vectorisedContacts::scatter(const int n)
     for (int k = 0; k < n; ++k)
     {
         *c.flag[k] |= marks;
-        remember(c.history[k] + stretchAt_, c.stretch(k));
+        store(c.history[k] + stretchAt_, c.stretch(k));
         if (remembersTorque)
         {
-            remember(c.history[k] + springTorqueAt_, c.springTorque(k));
+            store(c.history[k] + springTorqueAt_, c.springTorque(k));
         }
 
         const triple F = c.force(k);

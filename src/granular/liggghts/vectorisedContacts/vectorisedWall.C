@@ -23,11 +23,6 @@ namespace
         return !std::strcmp(a, b);
     }
 
-    Foam::triple at(const double* const v)
-    {
-        return {v[0], v[1], v[2]};
-    }
-
     //- Springs of the models hertz and history come first, then that of epsd2
     constexpr int springTorqueAt = 3;
 }
@@ -166,29 +161,22 @@ void Foam::vectorisedWall::flush(const int n)
         const int i = c.i[k];
         const auto& p = properties_(atom->type[i], atom_type_wall_);
 
-        c.velocity.set(k, at(atom->v[i]));
-        c.spinI.set(k, at(atom->omega[i]));
+        c.velocity.set(k, tripleAt(atom->v[i]));
+        c.spinI.set(k, tripleAt(atom->omega[i]));
         c.massI[k] = atom->rmass[i];
         c.young[k] = p.young;
         c.shear[k] = p.shear;
         c.damping[k] = p.damping;
         c.friction[k] = p.friction;
         c.rollingFriction[k] = p.rollingFriction;
-        c.stretch.set(k, at(c.history[k]));
+        c.stretch.set(k, tripleAt(c.history[k]));
         if (remembersTorque)
         {
-            c.springTorque.set(k, at(c.history[k] + springTorqueAt));
+            c.springTorque.set(k, tripleAt(c.history[k] + springTorqueAt));
         }
     }
 
     hertzHistory(c, n, update->dt, rolling_, true);
-
-    const auto store = [](double* const place, const triple& v)
-    {
-        place[0] = v.x;
-        place[1] = v.y;
-        place[2] = v.z;
-    };
 
     for (int k = 0; k < n; ++k)
     {
@@ -200,10 +188,10 @@ void Foam::vectorisedWall::flush(const int n)
         }
 
         // As LIGGGHTS tells the wall's force: by what it changed
-        const triple before = at(atom->f[i]);
+        const triple before = tripleAt(atom->f[i]);
         const triple after = before + c.force(k);
         store(atom->f[i], after);
-        store(atom->torque[i], at(atom->torque[i]) + c.torqueI(k));
+        store(atom->torque[i], tripleAt(atom->torque[i]) + c.torqueI(k));
         if (store_force_)
         {
             store(fix_wallforce_->array_atom[i], after - before);
