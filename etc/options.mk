@@ -10,8 +10,8 @@
 # ours  folders below our src
 # MPI_INC MPI_LIBS GRAINS_INC GRAINS_LIBS EIGEN_INC   where these are called
 #
-# Make/options goes through cpp, where `linux` is a macro: paths that may hold
-# it (MPI's) are asked for here. This file does not go through cpp.
+# Make/options goes through cpp, where `linux` is a macro. Paths that may contain it
+# (MPI's) are determined here, since this file does not go through cpp.
 
 # Code is made for the machine that builds it. A fused multiply-add rounds once
 # where OpenFOAM's packaged libraries round twice; without contraction a run

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What follows from a drag law that is named, for the validation cases of suspensions and
-# packings; after dragLaws.awk, which has the laws and tells the variables:
+# What follows from a named drag law, for the validation cases of suspensions and
+# packings. Load it after dragLaws.awk, which has the laws and describes the variables:
 #
 #   awk -v d=1e-3 ... -f dragLaws.awk -f dragBalance.awk -f case.awk
 #

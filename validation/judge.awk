@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Judges the result.csv of one case against the known shorts:
+# Judges the result.csv of one case against the known deviations:
 #
 #   awk -v name=CASE -v number=N -v tally=FILE -f judge.awk shorts.csv result.csv
 #
-# Tells a line for each row, numbered on from N where it counts as a test, and
+# Prints a line for each row, numbered on from N where it counts as a test, and
 # appends "passed", "failed ...", "skipped ..." or "short ..." to the tally.
 
 function abs(x) { return x < 0 ? -x : x }
@@ -76,7 +76,7 @@ END {
     if (!rows) count("failed", "its result.csv holds no row")
     # A person may run a part of a case
     if (ENVIRON["INTERDEMFOAM_ALLTEST"] == "") exit
-    # What only the whole of a case measures is asked for where that was run
+    # What only the whole of a case measures is required only where the whole was run
     for (q in value)
         if (!(q in seen) && !(q ~ /^whole: / && ENVIRON["INTERDEMFOAM_ALLTEST"] == "quick"))
             count("failed", q " is in shorts.csv but is not measured")

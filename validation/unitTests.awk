@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Reads what the GoogleTest program said and tells one line for each test, with
-# the numbers that it measured (testNumber), and all its words where it failed:
+# Reads the output of the GoogleTest program and prints one line for each test, with
+# the numbers that it measured (testNumber), and its whole output where it failed:
 #
 #   awk -v name=LABEL -v number=N -v tally=FILE -v status=EXIT \
 #       -f unitTests.awk log
 #
-# The first rank tells how a test ended. What fails on another one has the name
+# The first rank reports how a test ended. What fails on another one has the name
 # of the test before it, "[rank 1] Suite.test: words", since it may come before
 # the first rank begins that test or after it has ended it.
 

@@ -22,8 +22,8 @@
 namespace
 {
 
-//- On ranks other than the first, tell only what fails. Each line has the name
-//  of the test (validation/unitTests.awk), since lines of ranks mix.
+//- Ranks other than the first print only failures. Each line has the name of the
+//  test (validation/unitTests.awk), since lines of ranks mix.
 class failurePrinter
 :
     public testing::EmptyTestEventListener
@@ -46,13 +46,13 @@ class failurePrinter
             << result.line_number() << '\n' << result.message();
 
         std::istringstream lines(all.str());
-        std::ostringstream told;
+        std::ostringstream output;
         for (std::string line; std::getline(lines, line);)
         {
-            told<< "[rank " << Foam::UPstream::myProcNo() << "] " << test_
+            output<< "[rank " << Foam::UPstream::myProcNo() << "] " << test_
                 << ": " << line << '\n';
         }
-        std::cerr << told.str() << std::flush;
+        std::cerr << output.str() << std::flush;
     }
 };
 

@@ -15,7 +15,7 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
-//- A confidence that hangs on the lead alone, see leastOfAName
+//- A confidence that depends on the lead alone, see leastOfAName
 confidenceTable byTheLead()
 {
     // Of the lead the ground is ln(1 + lead); at a lead below zero, less ln(1 - lead)
@@ -96,7 +96,7 @@ void Foam::misfit::show(const finding& f)
     std::printf("%s: %s\n", verdictNames[f.verdict].c_str(), describe(f).c_str());
     for (const gate& g : f.gates)
     {
-        std::printf("  %s\n", asked(g, f).dump().c_str());
+        std::printf("  %s\n", gateWords(g, f).dump().c_str());
     }
 }
 

@@ -42,7 +42,7 @@ Foam::densePacking::densePacking(const dictionary& dict, const vector&)
     if (diameters_.empty())
     {
         FatalIOErrorInFunction(dict_)
-            << "What is asked for is less than half a grain"
+            << "The requested packing holds less than half a grain"
             << exit(FatalIOError);
     }
 }
@@ -70,7 +70,7 @@ void Foam::densePacking::checkEntries() const
     if (!enough)
     {
         FatalIOErrorInFunction(dict_)
-            << "Too little is said: a box needs solidFraction, mass or"
+            << "Too little is given: a box needs solidFraction, mass or"
             << " grainMass; a foot needs solidFraction and one of the masses"
             << exit(FatalIOError);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Packings kept from earlier runs, found by what they were asked to be.
+// Packings kept from earlier runs, found by their specification.
 
 #include "packingCache.H"
 #include "grainsData.H"

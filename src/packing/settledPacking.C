@@ -13,13 +13,13 @@ namespace Foam
 namespace
 {
 
-//- Solid fraction of a bed that is poured and levelled, unless told
+//- Default solid fraction of a bed that is poured and levelled
 constexpr scalar pouredFraction = 0.58;
 
-//- What stands above the level before levelling, in diameters
+//- Height above the level before levelling, in diameters
 constexpr scalar surplus = 1.5;
 
-//- Length of a tile and of what is held in the middle of two, in diameters
+//- Length of a tile, and of each half of what is held between two, in diameters
 constexpr scalar tileDiameters = 50;
 constexpr scalar heldDiameters = 3;
 

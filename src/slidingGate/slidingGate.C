@@ -30,7 +30,7 @@ Foam::dictionary settings(const Foam::fvMesh& mesh)
         false
     );
 
-    // A file that is there is read, or told to be wrong
+    // A file that exists is read; an error in it is reported
     const fileName path
     (
         mesh.time().globalPath()/mesh.time().constant()/io.name()

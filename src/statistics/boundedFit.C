@@ -56,7 +56,7 @@ mat curvature(const mat& slopes, const vec& prior)
 
 
 //- Inverse of a curvature, whose variables may have any units. Where it is flat
-//  nothing is known: a variance as large as numbers can tell
+//  nothing is known, and the variance is as large as the precision allows
 mat inverted(const mat& curved)
 {
     const vec scale = curved.diagonal().unaryExpr
@@ -178,7 +178,7 @@ struct problem
 };
 
 
-//- In which the curvature at x is 1; where the data tell nothing, of its range
+//- Units in which the curvature at x is 1; the range of a variable is its largest unit
 vec unitsAt(const fittedModel& model, const whitener& white, const vec& x)
 {
     vec units = curvature(white(model.slopes(x)), priorWeight(model)).diagonal();
@@ -217,8 +217,8 @@ fitted searched
         search.set_upper_bounds(p.scaled(model.upper()));
         search.set_min_objective(&problem::value, &p);
 
-        // Scores are told apart by 1; what does not end in so many steps goes on from
-        // there in another pass
+        // A difference in score matters from 1 on. A search that needs more steps than
+        // these continues in another pass
         search.set_ftol_rel(1e-10);
         search.set_ftol_abs(1e-10);
         search.set_maxeval(500);
@@ -229,7 +229,7 @@ fitted searched
         }
         catch (const std::runtime_error&)
         {
-            // It ends as well where no step leads on, by as much as numbers can tell
+            // The search also ends here where no step improves on x beyond rounding
             if (p.thrown)
             {
                 std::rethrow_exception(p.thrown);

@@ -108,7 +108,7 @@ statistics::logistic statistics::fitLogistic
     const mat off = x.rowwise() - mean.transpose();
     const vec deviation = (off.colwise().squaredNorm()/n).cwiseSqrt();
 
-    // What is the same for all tells nothing: its coefficient stays zero
+    // A column that is the same for all is no information: its coefficient stays zero
     const vec scale = deviation.unaryExpr
     (
         [](const double d) { return d > small ? 1/d : 0.0; }

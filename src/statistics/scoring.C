@@ -11,7 +11,7 @@ namespace
 using namespace statistics;
 
 //- Covariance where a channel has the record of another place, at the fit: the sensors
-//  stay, and what the simulation is uncertain by goes with the record
+//  stay, and the uncertainty of the simulation moves with the record
 mat movedCovariance
 (
     const stacked& data,

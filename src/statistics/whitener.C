@@ -13,7 +13,7 @@ statistics::whitener::whitener(const mat& covariance)
 {
     if (factor_.info() != Eigen::Success)
     {
-        // Nearly dependent samples: a billionth of the variance tells them apart
+        // Nearly dependent samples: a billionth of the variance makes them distinct
         mat wider(covariance);
         wider.diagonal() *= 1 + 1e-9;
         wider.diagonal().array() += 1e-9*covariance.diagonal().mean();

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Of each mechanism the one whose effect is most alike, and what tells them apart: of its
-# effect what no multiple of the other's makes, and the channel that has most of that.
+# For each mechanism: the one with the most similar effect, and what distinguishes the
+# two: the part of its effect that no multiple of the other's makes, and the channel
+# that has most of that part.
 # From the effects that effects.awk writes, mechanism,sample,effect:
 #
 #   awk -F, -f likeness.awk vectors.csv

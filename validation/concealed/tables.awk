@@ -4,7 +4,7 @@
 #   awk -f tables.awk score.A.csv score.B.csv page.md
 #
 # for a page whose table has the columns: score, goal, one for each of those files, and
-# any others. With -v goals=no goals are the page's own. Tells each cell that is another,
+# any others. With -v goals=no goals are the page's own. Prints each cell that differs,
 # then the number of cells that were compared.
 BEGIN {
     FS = ","

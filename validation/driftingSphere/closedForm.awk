@@ -4,7 +4,7 @@
 #   Stokes   v = u (1 - exp(-t/tau)),     tau = (rhoS + C rho) d^2/(18 mu)
 #   Newton   v = u (1 - 1/(1 + k u t)),   k = 0.75 C_d rho/((rhoS + C rho) d)
 #
-# with C_d = 0.44 and the virtual mass C. Reads "t x v_x", tells "t v vClosed",
+# with C_d = 0.44 and the virtual mass C. Reads "t x v_x", prints "t v vClosed",
 # and in its last line the largest deviation over u.
 
 BEGIN {

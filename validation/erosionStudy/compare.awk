@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Lines "check,quantity,value,wanted,unit" for statistics.csv on one quantity, from what
-# tableStatistics -compare tells of it:
+# Lines "check,quantity,value,wanted,unit" for statistics.csv on one quantity, from the
+# output of tableStatistics -compare:
 #
 #   awk -F, -v q=H -v goal=5 -v bound=8.5 -v nDone=24 -v nRuns=24 -v enough=9 -v scatter= \
 #       -v ofSlices= -f compare.awk

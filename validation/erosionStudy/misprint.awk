@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Does Eq 12 give the Fr of a run from its U and h, as printed and with the labels of one
-# column arranged anew? From what misfitTable has tried:
+# column rearranged? From what misfitTable has tried:
 #
 #   awk -F, -f misprint.awk tableA1.tried.csv
 #
-# Tells lines "check,quantity,value,wanted,unit" for statistics.csv.
+# Prints lines "check,quantity,value,wanted,unit" for statistics.csv.
 
 function tell(check, quantity, value, wanted, unit)
 {

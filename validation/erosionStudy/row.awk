@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The row of a run from the tables of its function objects: the last line of
-# each, and means of the layers over the net erosion. Tells what is wrong where a
-# number is not there or the run has not come to its end.
+# each, and means of the layers over the net erosion. Prints what is wrong where a
+# number is missing or the run did not reach its end.
 #
 #   awk -v run= -v hash= -v code= -v ranks= -v seconds= -v endTime= [-v pressure=] \
 #       -f runTables.awk -f bedLayers.awk -f row.awk tables...
 #
 # Of the bare flume, whose name begins with flume, it is another row: pressure is then
-# what surgeFlume/probe.awk tells.
+# what surgeFlume/probe.awk prints.
 
 function put(heading, v)
 {

@@ -7,11 +7,11 @@
 #   task=run: for a law and the Reynolds number Re at which a grain settles
 #       alone, viscosity of the liquid [m2/s], exchange interval and DEM step
 #       [s], DEM steps to an interval, and end [s]
-#   task=compare: reads "law Re e U", with the speed of settling U [m/s], and
-#       tells "law Re e n nLaw |n/nLaw - 1|", where U = U_t e^n
+#   task=compare: reads "law Re e U", with the settling speed U [m/s], and
+#       prints "law Re e n nLaw |n/nLaw - 1|", where U = U_t e^n
 #   task=curve: "e nLaw" for a law and Re
 
-# At given Re, drag goes with the square of the viscosity
+# At given Re, drag scales with the square of the viscosity
 function viscosity(law, Re)
 {
     mu = 1

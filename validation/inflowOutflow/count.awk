@@ -3,7 +3,7 @@
 #
 #   awk -v end=X -f count.awk grains.seen
 #
-# Tells numbers of grains: seen at any time, there at the end, gone when last
+# Prints numbers of grains: seen at any time, there at the end, gone when last
 # seen within 10 mm of x = end or beyond, gone from anywhere else; then the
 # smallest and the largest diameter [m].
 

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A bed of grains in layers, and what a drag law says of it; to be read after
+# A bed of grains in layers, and what a drag law predicts for it; to be loaded after
 # dragLaws.awk and dragBalance.awk. Reads the positions of the grains as the solver
 # writes them.
 #
 # Given are d, rho, rhoS, mu, gravity; area, floor and top of the column, nLayers
 # in it; lower and upper, the layers in whose middle the pressure is taken; the
-# width over which the solver smooths, in diameters; a law. Tells
+# width over which the solver smooths, in diameters; a law. Prints
 #
 #   task=pressure: difference of pressure between the two at the flow U [Pa]
 #   task=fromFloor: the same from the floor to the middle of the upper, the lower

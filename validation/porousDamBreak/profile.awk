@@ -3,8 +3,8 @@
 #
 #   awk -v height=.. -f profile.awk CELLS MEASURED
 #
-# CELLS is a table of sideView: the depth is the share of water in a column of
-# cells times the height of the mesh, linear between columns. Tells, for each
+# CELLS is a table of sideView: the depth is the fraction of water in a column of
+# cells times the height of the mesh, linear between columns. Prints, for each
 # place in MEASURED, x, the depth measured and the depth computed [m].
 
 FNR == NR && /^#/ { next }

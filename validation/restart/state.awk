@@ -3,7 +3,7 @@
 #
 #   awk -f state.awk 0.4/lagrangian/grains/{positions,U,mass}
 #
-# Tells centre of mass x y z [m], kinetic energy of the translation [J] and
+# Prints centre of mass x y z [m], kinetic energy of the translation [J] and
 # number of grains. Lists may be written as N{value} where all values are equal.
 
 FNR == 1 { file++; inside = 0; n = 0 }

@@ -7,7 +7,7 @@
 # Spheres are cut exactly into slices two diameters thick. Top of the suspension:
 # where the solid fraction falls through 0.25, half of what it was at the start.
 # Top of the deposit: up to there the beads sink more slowly than "slow" [m/s].
-# Tells: top, deposit [m], speed of the beads between them [m/s], solid fraction
+# Prints: top, deposit [m], speed of the beads between them [m/s], solid fraction
 # there and in the deposit; 0 where there is too little of it.
 
 # Volume of a sphere below the height h above its lowest point

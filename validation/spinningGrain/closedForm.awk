@@ -8,7 +8,7 @@
 #          sqrt(w) = B/((A + B/sqrt(w0)) exp(B t/2) - A), with
 #          A = 12.9 sqrt(rho d^2/mu) k, B = 128.4 k, k = mu d^3/(64 I)
 #
-# Reads "t w_x w_y w_z" of a spin along (2 -1 2), tells "t w wClosed" with w
+# Reads "t w_x w_y w_z" of a spin along (2 -1 2), prints "t w wClosed" with w
 # along that, and in its last lines the largest deviation and the largest part
 # across over w0, and the rate of the decay between the first and last line
 # that spin slower than at the start, over that of the slow law.

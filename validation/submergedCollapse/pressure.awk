@@ -3,7 +3,7 @@
 #
 #   awk -v width=.. -f pressure.awk RECORD
 #
-# Tells for each period of that width [s] its middle and the mean of all probes.
+# Prints for each period of that width [s] its middle and the mean of all probes.
 
 function tell()
 {

@@ -3,7 +3,7 @@
 #
 #   awk -v strip=.. -v width=.. -v fraction=.. -f profile.awk GRAINS
 #
-# Tells for each strip [m] its middle and the height that its grains would have
+# Prints for each strip [m] its middle and the height that its grains would have
 # at that solid fraction in a slab of that width.
 
 !/^#/ {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Depth of a deposit from grains.dat of sideView: twice the mean height of the
 # grains' volume over each 0.1 m of the base is the depth of a layer that is the
-# same all through. Tells the greatest depth and the mean one over the length
+# same all through. Prints the greatest depth and the mean one over the length
 # that holds 90 % of the volume.
 #
 #   awk -f deposit.awk grains.dat

@@ -4,7 +4,7 @@
 #   awk [-v column=2] -v until=.. -v share=.. | -v level=.. -f arrival.awk FILE
 #
 # The level is given, or a share of the largest value up to the time "until".
-# Tells the time, linear between lines, and the largest value of all.
+# Prints the time, linear between lines, and the largest value of all.
 
 BEGIN { FS = "[ \t,]+"; if (!column) column = 2 }
 

@@ -4,7 +4,7 @@
 #   awk -v what=front|height -v column=.. [-v clock=0] \
 #       -f martinMoyce.awk TABLE SERIES
 #
-# Tells a line for each row of TABLE: its time less "clock", its value, the value
+# Prints a line for each row of TABLE: its time less "clock", its value, the value
 # computed at that time, and by how much time the computed value is earlier at
 # the same place. All as in TABLE: lengths over a (height over 2a), time over
 # sqrt(a/2g) for the front and sqrt(a/g) for the height.

@@ -4,32 +4,34 @@
 
 #include "fvCFD.H"
 #include "CMULES.H"
-#include "EulerDdtScheme.H"
-#include "subCycle.H"
-#include "immiscibleIncompressibleTwoPhaseMixture.H"
-#include "turbulentTransportModel.H"
-#include "pimpleControl.H"
-#include "fvOptions.H"
 #include "CorrectPhi.H"
-#include "divergence.H"
-#include "exchangeTime.H"
+#include "EulerDdtScheme.H"
 #include "fixedFluxPressureFvPatchScalarField.H"
-#include "masterErrorsFirst.H"
-#include "fpeGuard.H"
-#include "functionState.H"
-#include "granularProperties.H"
+#include "fvOptions.H"
+#include "immiscibleIncompressibleTwoPhaseMixture.H"
+#include "pimpleControl.H"
+#include "subCycle.H"
+#include "turbulentTransportModel.H"
+
+#include "caseChecks.H"
+#include "closedTank.H"
 #include "demCoupling.H"
-#include "heightChecks.H"
-#include "heldMemory.H"
+#include "divergence.H"
+#include "fluidTimeStep.H"
+#include "fpeGuard.H"
+#include "granularProperties.H"
+#include "masterErrorsFirst.H"
+#include "outputControl.H"
+#include "pressureChecks.H"
+#include "projectVersion.H"
 #include "reconstructionCheck.H"
 #include "slidingGate.H"
-#include "solverChecks.H"
-#include "stopSignal.H"
 #include "timeFolders.H"
 
 
 int main(int argc, char *argv[])
 {
+    Foam::answerVersion(argc, argv);
     argList::addNote
     (
         "Air and water (volume of fluid) with grains (discrete elements),"
@@ -56,125 +58,46 @@ int main(int argc, char *argv[])
     #include "initContinuityErrs.H"
     #include "createTimeControls.H"
     #include "createFields.H"
-    #include "startGrains.H"
-    timeFolders::markStart(runTime);
+    #include "startCoupling.H"
 
-    const stopSignal stop;
-    bool asked = false;
-    bool toWrite = false;
-
-    // Grains and water are at the same time only where an interval ends
-    const auto together = [&]() -> bool
-    {
-        return !grains.active() || grains.due();
-    };
-
-    // The fluid step as the Courant numbers have it [s]
-    scalar wanted = runTime.deltaTValue();
+    fluidTimeStep fluidStep(runTime.deltaTValue());
+    #include "createOutput.H"
 
     Info<< "\nStarting time loop\n" << endl;
-    grains.times().begin();
+    coupling.times().begin();
 
-    while (runTime.run())
+    while (output.run())
     {
-        // Now that function objects have seen it
-        if (toWrite)
-        {
-            #include "write.H"
-        }
-
         #include "readTimeControls.H"
         #include "timeStep.H"
-
-        if (grains.due())
-        {
-            blameFlow
-            (
-                U,
-                phiU,
-                g.value(),
-                [&]()
-                {
-                    grains.moveGrains(fluidNow);
-                    grains.locateGrains();
-                }
-            );
-            grains.findVoidFraction(alpha1);
-            grains.prepareForces(fluidNow());
-        }
+        #include "exchange.H"
 
         ++runTime;
-
         Info<< "Time = " << runTime.timeName() << nl << endl;
 
         {
-            const stageTimes::stage stage(grains.times(), "fluidSolution");
+            const stageTimes::stage stage(coupling.times(), "fluidSolution");
             #include "fluidStep.H"
         }
         checkSpeed(U, lastLook);
 
-        if (grains.active())
-        {
-            grains.addFluidStep
-            (
-                U,
-                rho,
-                netForce,
-                pressureForce,
-                viscousForce(),
-                runTime.deltaTValue()
-            );
-
-            if (grains.due())
-            {
-                grains.setParticleForces(U);
-            }
-        }
-
-        runTime.writeWhere(together());
-        toWrite = runTime.writeTime();
-        asked = together() && stop.requested();
-
-        if (asked)
-        {
-            Info<< "Asked to stop: writing, then ending" << endl;
-            runTime.setEndTime(runTime.value());
-        }
-        else if
+        coupling.addFluidStep
         (
-            !together()
-         && runTime.value()
-          > runTime.endTime().value() - 0.5*runTime.deltaTValue()
-        )
+            U,
+            rho,
+            netForce,
+            pressureForce,
+            viscousForce(),
+            runTime.deltaTValue()
+        );
+        if (coupling.due())
         {
-            // stopAt writeNow: the interval is finished first
-            runTime.setEndTime(runTime.value() + runTime.deltaTValue());
+            coupling.setParticleForces(U);
         }
 
-        runTime.printExecutionTime(Info);
+        output.endStep();
     }
-
-    // The end is written wherever it is: times to write count from the start
-    if (!together())
-    {
-        Warning
-            << "The run ended at " << runTime.timeName() << " s, between two"
-            << " exchanges: grains and water are not at the same time, so this"
-            << " time is not written." << nl
-            << "    Go on from the latest time that is; end a run with stopAt"
-            << " writeNow or SIGTERM." << endl;
-    }
-    else if
-    (
-        runTime.timeIndex() > runTime.startTimeIndex()
-     && (toWrite || asked || grains.active())
-    )
-    {
-        #include "write.H"
-    }
-
-    grains.times().print();
-    Info<< "End\n" << endl;
+    output.end();
 
     return 0;
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Products of fields whose result is written over a temporary operand, as the
 // compiler at hand and OpenFOAM's libraries make them, and the check of the
-// mesh that hangs on them.
+// mesh that depends on them.
 
 #include "reconstructionCheck.H"
-#include "saidDuring.H"
+#include "terminalOutput.H"
 #include "testMesh.H"
 
 #include "Random.H"
@@ -312,8 +312,8 @@ TEST(ReconstructionCheck, findsTheCellsWhereNoVelocityComesBack)
     EXPECT_DOUBLE_EQ(error.at.z(), 0.75);
 
     // And stops there, with what to do
-    const std::string said(refusal([&]{ checkReconstruction(box.mesh()); }));
-    EXPECT_NE(said.find("checkMesh"), std::string::npos) << said;
+    const std::string output(refusal([&]{ checkReconstruction(box.mesh()); }));
+    EXPECT_NE(output.find("checkMesh"), std::string::npos) << output;
 }
 
 

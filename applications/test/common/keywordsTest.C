@@ -2,7 +2,7 @@
 // Keywords and choices that have another name now.
 
 #include "keywords.H"
-#include "saidDuring.H"
+#include "terminalOutput.H"
 
 #include "IStringStream.H"
 

@@ -2,14 +2,11 @@
 // The stages of an exchange, with LIGGGHTS, and its place in time.
 
 #include "demCoupling.H"
-#include "exchangeTime.H"
 #include "grainSnapshot.H"
 #include "granularProperties.H"
-#include "saidDuring.H"
+#include "terminalOutput.H"
 #include "testMesh.H"
 
-#include "IFstream.H"
-#include "OFstream.H"
 #include "OSspecific.H"
 
 #include <gtest/gtest.h>
@@ -198,34 +195,34 @@ TEST(granularProperties, warnsOfDragThatIsSmoothedForMaterialPoints)
         " density 1500; E 1e6; nu 0.2; region { box ((0.2 0.2 0.2) (0.4 0.4 0.4)); }"
         " } } }\n"
     );
-    const auto said = [&](const std::string& smoothing, const std::string& drag)
+    const auto output = [&](const std::string& smoothing, const std::string& drag)
     {
         boxOfWater w
         (
             points + "voidFraction { smoothing { " + smoothing + " } }\n"
             "interphaseForces { drag { model " + drag + "; } }"
         );
-        return saidDuring([&]{ demCoupling(w.box().mesh(), hydrostatics(g)); });
+        return outputDuring([&]{ demCoupling(w.box().mesh(), hydrostatics(g)); });
     };
     const std::string remedy("Write  drag off;");
 
-    expectSays(said("", "Beetstra"), remedy);
-    expectSays(said("width 2;", "Beetstra"), remedy);
-    expectSaysNo(said("drag off;", "Beetstra"), remedy);
-    expectSaysNo(said("drag on;", "Beetstra"), remedy);
-    expectSaysNo(said("model none;", "Beetstra"), remedy);
-    expectSaysNo(said("", "none"), remedy);
+    expectHolds(output("", "Beetstra"), remedy);
+    expectHolds(output("width 2;", "Beetstra"), remedy);
+    expectLacks(output("drag off;", "Beetstra"), remedy);
+    expectLacks(output("drag on;", "Beetstra"), remedy);
+    expectLacks(output("model none;", "Beetstra"), remedy);
+    expectLacks(output("", "none"), remedy);
 
     boxOfWater byDefault(points);
-    expectSays
+    expectHolds
     (
-        saidDuring([&]{ demCoupling(byDefault.box().mesh(), hydrostatics(g)); }), remedy
+        outputDuring([&]{ demCoupling(byDefault.box().mesh(), hydrostatics(g)); }), remedy
     );
 
     boxOfWater ofGrains("interphaseForces { drag { model Beetstra; } }");
-    expectSaysNo
+    expectLacks
     (
-        saidDuring([&]{ demCoupling(ofGrains.box().mesh(), hydrostatics(g)); }), remedy
+        outputDuring([&]{ demCoupling(ofGrains.box().mesh(), hydrostatics(g)); }), remedy
     );
 }
 
@@ -261,11 +258,11 @@ TEST(demCoupling, grainsAloneTellTheirNumberAtEachTimeWritten)
 {
     boxOfWater w;
     const demCoupling grains(w.box().mesh(), g);
-    const std::string said(saidDuring([&]{ grains.report(); }));
+    const std::string output(outputDuring([&]{ grains.report(); }));
 
-    EXPECT_NE(said.find("Grains: 4 = 4 located + 0 outside"), std::string::npos)
-        << said;
-    EXPECT_EQ(said.find("Exchange"), std::string::npos) << said;
+    EXPECT_NE(output.find("Grains: 4 = 4 located + 0 outside"), std::string::npos)
+        << output;
+    EXPECT_EQ(output.find("Exchange"), std::string::npos) << output;
 }
 
 
@@ -297,15 +294,15 @@ TEST(demCoupling, refusesADEMStepThatChangesMeanwhile)
 {
     boxOfWater w;
     w.addPhysics("fix own all dt/reset 10 1e-6 2e-5 1e-4 units box");
-    const std::string said
+    const std::string output
     (
         refusal([&]{ demCoupling(w.box().mesh(), hydrostatics(g)); })
     );
 
-    expectSays(said, "constant/grains/physics");
-    expectSays(said, "changes the DEM step");
-    expectSays(said, "(fix own)");
-    expectSays(said, "Take the fix out");
+    expectHolds(output, "constant/grains/physics");
+    expectHolds(output, "changes the DEM step");
+    expectHolds(output, "(fix own)");
+    expectHolds(output, "Take the fix out");
 }
 
 
@@ -456,19 +453,19 @@ TEST(demCoupling, goesOnWithoutGrainsAndTakesThoseThatComeIn)
 
 TEST(demCoupling, warnsOfLoneSlowGrainsThatDragTheirCellAlong)
 {
-    const auto said = [](const scalar mu, const std::string& smoothing)
+    const auto output = [](const scalar mu, const std::string& smoothing)
     {
         boxOfWater w("voidFraction { smoothing { " + smoothing + " } }");
         demCoupling grains(w.box().mesh(), hydrostatics(g));
         fluidFields fluid(w.water());
         fluid.mu = mu;
-        return saidDuring([&]{ grains.start(fluid); });
+        return outputDuring([&]{ grains.start(fluid); });
     };
 
     // 1.59 d over a cell of 0.25 m, and the bell of 60 mm
-    expectSays(said(100, ""), "move up to 9.2");
-    expectSaysNo(said(100, "width 60;"), "too fast");
-    expectSaysNo(said(1e-3, ""), "too fast");
+    expectHolds(output(100, ""), "move up to 9.2");
+    expectLacks(output(100, "width 60;"), "too fast");
+    expectLacks(output(1e-3, ""), "too fast");
 }
 
 
@@ -490,46 +487,12 @@ TEST(demCoupling, farTooManyBinsOfLiggghtsAreAnErrorBeforeTheyTakeTheMemory)
     boxOfWater w("LIGGGHTS { contacts stock; }");
     w.placeGrains(0.5, 1e-4);
     w.addPhysics("neighbor 1e-4 bin\ntimestep 1e-7");
-    const std::string said
+    const std::string output
     (
         refusal([&]{ demCoupling(w.box().mesh(), hydrostatics(g)); })
     );
 
-    expectSays(said, "1e+12 bins of 0.0001 m");
-    expectSays(said, "8000 GB of memory");
-    expectSays(said, "make the box");
-}
-
-
-TEST(exchangeTime, putsWritingOffToTheEndOfAnInterval)
-{
-    testMesh box;
-    const fileName control(box.folder()/"system"/Time::controlDictName);
-    dictionary entries{IFstream(control)()};
-    entries.set("writeInterval", 3);
-    OFstream file(control);
-    file<< "FoamFile { version 2.0; format ascii; class dictionary;"
-        " object controlDict; }\n";
-    entries.write(file, false);
-    file.flush();
-    exchangeTime time
-    (
-        Time::controlDictName,
-        box.folder().path(),
-        fileName(box.folder().name())
-    );
-    const auto written = [&](const bool together)
-    {
-        ++time;
-        time.writeWhere(together);
-        return time.writeTime();
-    };
-
-    EXPECT_FALSE(written(true));
-    EXPECT_FALSE(written(true));
-    EXPECT_FALSE(written(false));
-    EXPECT_FALSE(written(false));
-    EXPECT_TRUE(written(true));
-    EXPECT_TRUE(written(true));
-    EXPECT_FALSE(written(true));
+    expectHolds(output, "1e+12 bins of 0.0001 m");
+    expectHolds(output, "8000 GB of memory");
+    expectHolds(output, "make the box");
 }

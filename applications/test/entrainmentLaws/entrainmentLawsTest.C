@@ -5,7 +5,7 @@
 
 #include "IStringStream.H"
 #include "mathematicalConstants.H"
-#include "saidDuring.H"
+#include "terminalOutput.H"
 #include "unitConversion.H"
 
 #include <gtest/gtest.h>
@@ -138,24 +138,24 @@ TEST(shearingLaws, anAngleThatIsNoneOrMayBeInRadiansIsNamed)
     {
         shearingLaws(entries("bulkDensity 2080;" + angles), 0.26, 9.81);
     };
-    const auto said = [&](const std::string& angles)
+    const auto output = [&](const std::string& angles)
     {
-        return saidDuring([&]() { laws(angles); });
+        return outputDuring([&]() { laws(angles); });
     };
 
-    expectSays(said("frictionAngle 0.75;"), "frictionAngle is 0.75 degrees");
-    expectSays(said("frictionAngle 0.75;"), "write 42.97");
-    expectSays
+    expectHolds(output("frictionAngle 0.75;"), "frictionAngle is 0.75 degrees");
+    expectHolds(output("frictionAngle 0.75;"), "write 42.97");
+    expectHolds
     (
-        said("frictionAngle 43; residualFrictionAngle 0.4;"),
+        output("frictionAngle 43; residualFrictionAngle 0.4;"),
         "residualFrictionAngle is 0.4 degrees"
     );
-    EXPECT_EQ(said("frictionAngle 43; residualFrictionAngle 0;"), "");
+    EXPECT_EQ(output("frictionAngle 43; residualFrictionAngle 0;"), "");
 
     for (const char* angle : {"430", "90", "-5"})
     {
         const std::string wrong("frictionAngle " + std::string(angle));
-        expectSays
+        expectHolds
         (
             refusal([&]() { laws(wrong + ";"); }), "must lie from 0 up"
         );
@@ -238,9 +238,9 @@ TEST(erosionByLaws, stressesThatPullInTheMeanAreAnErrorWithItsRemedy)
     s.sigma = scalarList({-300.0, 0.01});
     s.v = scalarList(2, scalar(1));
 
-    const std::string said(refusal([&]() { erosionByLaws(bed()).of(s); }));
-    expectSays(said, "pulls in the mean from 0 to 1 s");
-    expectSays(said, "write factor -1 at normalStress");
+    const std::string output(refusal([&]() { erosionByLaws(bed()).of(s); }));
+    expectHolds(output, "pulls in the mean from 0 to 1 s");
+    expectHolds(output, "write factor -1 at normalStress");
 
     // Nothing there yet is no mistake
     s.sigma = scalarList(2, Zero);
@@ -257,9 +257,9 @@ TEST(erosionByLaws, aVelocityAgainstTheFlowIsAnErrorWithItsRemedy)
     s.sigma = scalarList(2, scalar(300));
     s.v = scalarList({-2.0, -0.5});
 
-    const std::string said(refusal([&]() { erosionByLaws(bed()).of(s); }));
-    expectSays(said, "never positive from 0 to 1 s");
-    expectSays(said, "write factor -1 at velocity");
+    const std::string output(refusal([&]() { erosionByLaws(bed()).of(s); }));
+    expectHolds(output, "never positive from 0 to 1 s");
+    expectHolds(output, "write factor -1 at velocity");
 
     // What flows back for a while is no mistake, nor what stands still
     s.v = scalarList({-2.0, 0.5});

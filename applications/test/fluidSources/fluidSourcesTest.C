@@ -3,7 +3,7 @@
 
 #include "localisedMomentumSource.H"
 #include "permeableWallFvPatchVectorField.H"
-#include "saidDuring.H"
+#include "terminalOutput.H"
 #include "sideWallFriction.H"
 #include "testMesh.H"
 

@@ -4,7 +4,7 @@
 #include "grainStress.H"
 #include "grainTrack.H"
 #include "movingLayer.H"
-#include "saidDuring.H"
+#include "terminalOutput.H"
 #include "sphereParts.H"
 #include "tank.H"
 
@@ -147,28 +147,28 @@ TEST_F(tank, anIdThatNoGrainHasIsToldOnceThereAreGrains)
     (
         "track", box_.time(), dict("ids (7 1000 100);")
     );
-    const auto said = [&]()
+    const auto output = [&]()
     {
         ++box_.time();
-        return saidDuring([&]() { track.write(); });
+        return outputDuring([&]() { track.write(); });
     };
 
     grains_.grains = grainSnapshot(0);
-    EXPECT_EQ(said(), "");
+    EXPECT_EQ(output(), "");
 
     placeGrains();
-    const std::string warning(said());
-    expectSays(warning, "of the 100 grains, with ids 0 to 99");
-    expectSays(warning, "none has one of 1000 100\n");
-    EXPECT_EQ(said(), "");
+    const std::string warning(output());
+    expectHolds(warning, "of the 100 grains, with ids 0 to 99");
+    expectHolds(warning, "none has one of 1000 100\n");
+    EXPECT_EQ(output(), "");
 
-    // Nor does a run that goes on tell it again
+    // A continued run does not report it again either
     functionObjects::grainTrack again
     (
         "track", box_.time(), dict("ids (7 1000 100);")
     );
     ++box_.time();
-    EXPECT_EQ(saidDuring([&]() { again.write(); }), "");
+    EXPECT_EQ(outputDuring([&]() { again.write(); }), "");
 
     // Whoever has found them has seen them
     functionObjects::grainTrack nearest
@@ -178,7 +178,7 @@ TEST_F(tank, anIdThatNoGrainHasIsToldOnceThereAreGrains)
     nearest.write();
     grains_.grains.id[32] = 1000;
     ++box_.time();
-    EXPECT_EQ(saidDuring([&]() { nearest.write(); }), "");
+    EXPECT_EQ(outputDuring([&]() { nearest.write(); }), "");
 }
 
 
@@ -271,7 +271,7 @@ TEST_F(tank, aRegionFollowsTheSurfaceOfWhatRests)
 
 TEST_F(tank, aRegionOrAPointOutsideTheMeshIsAnError)
 {
-    const auto said = [&](const std::string& regions)
+    const auto output = [&](const std::string& regions)
     {
         return refusal
         (
@@ -293,23 +293,23 @@ TEST_F(tank, aRegionOrAPointOutsideTheMeshIsAnError)
         }
     )
     {
-        expectSays(said(outside), "lies outside the mesh");
+        expectHolds(output(outside), "lies outside the mesh");
     }
-    expectSays(said("spheres (((0.5 0.5 0.5) 0.1) ((0.5 500 0.5) 0.1));"), "Region 1 ");
+    expectHolds(output("spheres (((0.5 0.5 0.5) 0.1) ((0.5 500 0.5) 0.1));"), "Region 1 ");
     for
     (
         const char* tooLong
       : {"spheres (((0.5 0.5 0.5) 20));", "boxes (((-100 0 0) (0.5 0.5 0.5)));"}
     )
     {
-        expectSays(said(tooLong), "is longer than the mesh");
+        expectHolds(output(tooLong), "is longer than the mesh");
     }
 
     // What any place will do for: across the flume, and the height over a surface
-    EXPECT_EQ(said("circles (((0.5 -99 0.5) 0.1));"), "nothing");
-    EXPECT_EQ(said("spheres (((0.5 0.5 -99) 0.1)); follow surface;"), "nothing");
+    EXPECT_EQ(output("circles (((0.5 -99 0.5) 0.1));"), "nothing");
+    EXPECT_EQ(output("spheres (((0.5 0.5 -99) 0.1)); follow surface;"), "nothing");
 
-    expectSays
+    expectHolds
     (
         refusal
         (
@@ -336,17 +336,17 @@ TEST_F(tank, aTypeThatNoGrainHasIsToldOnceThereAreGrains)
         box_.time(),
         dict("spheres (((0.5 0.5 0.5) 0.1)); types (1 3);")
     );
-    const auto said = [&]()
+    const auto output = [&]()
     {
         ++box_.time();
-        return saidDuring([&]() { stress.write(); });
+        return outputDuring([&]() { stress.write(); });
     };
 
-    EXPECT_EQ(said(), "");
+    EXPECT_EQ(output(), "");
 
     placeGrains();
     g.type = 1;
-    const std::string warning(said());
-    expectSays(warning, "grainStress stress: no grain has a type of 3; those that are there have 1 to 1");
-    EXPECT_EQ(said(), "");
+    const std::string warning(output());
+    expectHolds(warning, "grainStress stress: no grain has a type of 3; those that are there have 1 to 1");
+    EXPECT_EQ(output(), "");
 }

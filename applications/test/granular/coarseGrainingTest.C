@@ -47,10 +47,10 @@ whole inOneCell
 
     grainExchange exchange(mesh);
     exchange.locate(phase);
-    voidFraction pores(exchange, entries(inOneCellEach));
-    pores.update();
+    solidFractionField solids(exchange, entries(inOneCellEach));
+    solids.update();
 
-    interphaseForces forces(exchange, pores, entries(laws), g, N);
+    interphaseForces forces(exchange, solids, entries(laws), g, N);
     const fluidFields fluid(water(mesh.nCells(), mu));
     forces.prepare(fluid, interval);
     forces.finish
@@ -66,7 +66,7 @@ whole inOneCell
                 scalarField(),
                 Zero
             },
-            fluid.rho, forces, pores, mesh, g
+            fluid.rho, forces, solids, mesh, g
         )
     );
 
@@ -77,7 +77,7 @@ whole inOneCell
     {
         sum(forces.force()),
         forces.torque()[0]/inertia,
-        pores.solidFraction()[cell],
+        solids.solidFraction()[cell],
         forces.dragCoefficient()[cell],
         forces.virtualMassCoefficient()[cell],
         forces.explicitForce()[cell],
@@ -178,13 +178,13 @@ TEST(coarseGraining, parcelsThatPassEachOtherFeelDragOverNSquared)
 
         grainExchange exchange(mesh);
         exchange.locate(phase);
-        voidFraction pores(exchange, entries(inOneCellEach));
-        pores.update();
+        solidFractionField solids(exchange, entries(inOneCellEach));
+        solids.update();
 
         interphaseForces forces
         (
             exchange,
-            pores,
+            solids,
             entries("drag { model SchillerNaumann; }"),
             vector(Zero),
             N
@@ -226,12 +226,12 @@ TEST(obstacle, aHeldGrainGetsAllOfTheDragBesideOneThatMoves)
 
     grainExchange exchange(mesh);
     exchange.locate(phase);
-    voidFraction pores(exchange, entries(inOneCellEach));
-    pores.update();
+    solidFractionField solids(exchange, entries(inOneCellEach));
+    solids.update();
 
     interphaseForces forces
     (
-        exchange, pores, entries("drag { model SchillerNaumann; }"), vector(Zero), 1
+        exchange, solids, entries("drag { model SchillerNaumann; }"), vector(Zero), 1
     );
     const vectorField none(mesh.nCells(), Zero);
     fluidFields fluid(water(mesh.nCells()));

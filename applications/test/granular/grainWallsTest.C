@@ -300,9 +300,9 @@ TEST(WallTriangles, faceTooThinForLIGGGHTSNamesPatchAndPlace)
     EXPECT_GT(smallestAngleOf(patches["zMax"]), wallTriangles::smallestTaken);
     EXPECT_EQ(complaint(patches["zMax"]), "");
 
-    const std::string told(complaint(patches["xMax"]));
-    EXPECT_NE(told.find("wall xMax, at (1 "), std::string::npos) << told;
-    EXPECT_NE(told.find("LIGGGHTS/walls/patches"), std::string::npos) << told;
+    const std::string output(complaint(patches["xMax"]));
+    EXPECT_NE(output.find("wall xMax, at (1 "), std::string::npos) << output;
+    EXPECT_NE(output.find("LIGGGHTS/walls/patches"), std::string::npos) << output;
 }
 
 
@@ -353,7 +353,7 @@ TEST(WallTriangles, platesThatMeetTooManyToOneNamePatchAndPlace)
             }
         }
 
-        std::string told;
+        std::string output;
         try
         {
             scalar angle;
@@ -361,12 +361,12 @@ TEST(WallTriangles, platesThatMeetTooManyToOneNamePatchAndPlace)
         }
         catch (const Foam::error& e)
         {
-            told = e.message();
+            output = e.message();
         }
 
         // Two others on two sides and the other half of the square are five
-        EXPECT_EQ(told.empty(), nWays < 3) << nWays << told;
-        EXPECT_EQ(told.find("wall cross") != std::string::npos, nWays == 3);
+        EXPECT_EQ(output.empty(), nWays < 3) << nWays << output;
+        EXPECT_EQ(output.find("wall cross") != std::string::npos, nWays == 3);
     }
 }
 

@@ -2,7 +2,7 @@
 // Unit tests: what the drag laws give where the answer is known.
 
 #include "SubList.H"
-#include "closuresInUse.H"
+#include "forceModels.H"
 #include "forceLaws.H"
 #include "testMesh.H"
 
@@ -358,7 +358,7 @@ TEST(drag, DiFeliceAsPrintedHindersTooMuchAtLargeReynolds)
 TEST(drag, asPrintedIsStrongerThanModelAByOneOverVoidFraction)
 {
     const auto modelA = law<dragModel>("model DiFelice;");
-    const auto printed = law<dragModel>
+    const auto output = law<dragModel>
     (
         "model DiFelice; formulation asPrinted;"
     );
@@ -368,7 +368,7 @@ TEST(drag, asPrintedIsStrongerThanModelAByOneOverVoidFraction)
     const auto ratio = [&](const scalar Re)
     {
         const grainState s = atReynolds(state, Re);
-        return printed->K(s)/modelA->K(s);
+        return output->K(s)/modelA->K(s);
     };
 
     EXPECT_NEAR(ratio(1e-6), 1, 1e-3);
@@ -403,7 +403,7 @@ TEST(drag, noneIsNothing)
 {
     testMesh box;
     scalarField K(3, 1);
-    closuresInUse(box.mesh(), entries("drag { model none; }"))
+    forceModels(box.mesh(), entries("drag { model none; }"))
         .dragCoefficients(List<grainState>(3, atReynolds(inWater(), 9)), K);
 
     EXPECT_EQ(K, scalarField(3, Zero));

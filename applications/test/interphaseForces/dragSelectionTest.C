@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Unit tests: choosing drag laws by name, blending them, and what wrong input
-// is told.
+// Unit tests: choosing drag laws by name, blending them, and the errors for wrong
+// input.
 
 #include "forceLaws.H"
 
@@ -178,7 +178,7 @@ TEST(dragSelection, noneIsABaseAndAModel)
 
 TEST(dragSelection, theBaseTakesItsOwnSettings)
 {
-    const auto printed = law<dragModel>
+    const auto output = law<dragModel>
     (
         "model DiFelice; formulation asPrinted;"
     );
@@ -188,7 +188,7 @@ TEST(dragSelection, theBaseTakesItsOwnSettings)
         "baseSettings { formulation asPrinted; }"
     );
 
-    EXPECT_EQ(blend->K(someState()), printed->K(someState()));
+    EXPECT_EQ(blend->K(someState()), output->K(someState()));
     EXPECT_NE
     (
         blend->K(someState()),

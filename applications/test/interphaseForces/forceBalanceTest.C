@@ -26,12 +26,12 @@ scalar residualOfFullCells(const string& smoothing)
     );
     grainExchange exchange(box.mesh());
     exchange.locate(phase);
-    voidFraction pores
+    solidFractionField solids
     (
         exchange, entries("minimum 0.7; smoothing { " + smoothing + " }")
     );
-    pores.update();
-    EXPECT_GT(pores.excess().volume(), 0.5*pores.mapping().totalVolume());
+    solids.update();
+    EXPECT_GT(solids.excess().volume(), 0.5*solids.mapping().totalVolume());
 
     const vectorField& at = box.mesh().C();
     const scalarField x(at.component(vector::X));
@@ -48,7 +48,7 @@ scalar residualOfFullCells(const string& smoothing)
     interphaseForces forces
     (
         exchange,
-        pores,
+        solids,
         entries
         (
             "drag { model Ergun; } viscousForce { strength 1; }"
@@ -58,16 +58,16 @@ scalar residualOfFullCells(const string& smoothing)
     );
 
     // Before the first exchange as well
-    interphaseForces atStart(exchange, pores, entries("drag { model none; }"), g, 1);
+    interphaseForces atStart(exchange, solids, entries("drag { model none; }"), g, 1);
     atStart.start(fluid, interval);
     const vector onCells
     (
-        sum(box.mesh().V().field()*pores.solidFraction()*fluid.rho)*g
+        sum(box.mesh().V().field()*solids.solidFraction()*fluid.rho)*g
     );
     EXPECT_LT(mag(sum(atStart.force()) + onCells), 1e-12*mag(onCells));
 
     forces.prepare(fluid, interval);
-    forces.finish(inEquation(means, fluid.rho, forces, pores, box.mesh(), g));
+    forces.finish(inEquation(means, fluid.rho, forces, solids, box.mesh(), g));
     return forces.residual();
 }
 
@@ -82,8 +82,8 @@ TEST(forceBalance, closesWhereDragIsNotSmoothed)
     phase.grains.U = vector(0.05, 0.1, 0);
     grainExchange exchange(box.mesh());
     exchange.locate(phase);
-    voidFraction pores(exchange, entries("smoothing { width 12; drag off; }"));
-    pores.update();
+    solidFractionField solids(exchange, entries("smoothing { width 12; drag off; }"));
+    solids.update();
 
     fluidFields fluid(water(box.mesh().nCells()));
     const vectorField& at = box.mesh().C();
@@ -98,7 +98,7 @@ TEST(forceBalance, closesWhereDragIsNotSmoothed)
         interphaseForces forces
         (
             exchange,
-            pores,
+            solids,
             entries
             (
                 "drag { model Ergun; } lift { model SaffmanMei; }"
@@ -114,7 +114,7 @@ TEST(forceBalance, closesWhereDragIsNotSmoothed)
             inEquation
             (
                 fluidMeans{fluid.U, none, none, none, scalarField(), Zero},
-                fluid.rho, forces, pores, box.mesh(), g
+                fluid.rho, forces, solids, box.mesh(), g
             )
         );
         EXPECT_GT(max(mag(forces.force())), 0);

@@ -22,13 +22,13 @@ struct cubeOfGrains
 
     grainExchange exchange;
 
-    voidFraction pores;
+    solidFractionField solids;
 
     cubeOfGrains()
     :
         phase(box.mesh()),
         exchange(box.mesh()),
-        pores(exchange, entries("model sphereCaps; smoothing { model none; }"))
+        solids(exchange, entries("model sphereCaps; smoothing { model none; }"))
     {
         pointField places(randomPoints(200));
         places = 0.1*vector::one + 0.8*places;
@@ -40,12 +40,12 @@ struct cubeOfGrains
     void locate()
     {
         exchange.locate(phase);
-        pores.update();
+        solids.update();
     }
 
     const particleMeshMapping& mapping() const
     {
-        return pores.mapping();
+        return solids.mapping();
     }
 
     //- Mean of cell values around each grain
@@ -67,9 +67,9 @@ struct cubeOfGrains
         return result;
     }
 
-    closuresInUse laws(const string& text) const
+    forceModels laws(const string& text) const
     {
-        return closuresInUse
+        return forceModels
         (
             exchange.mesh(), entries("drag { model none; } " + text)
         );
@@ -238,9 +238,9 @@ TEST(grainForces, areNoneInAnyCellWhereGrainsMoveWithTheFluidAroundThem)
     pointField places(randomPoints(200));
     place(phase, 0.1*vector::one + 0.8*places, 0.02);
     grainExchange exchange(box.mesh());
-    voidFraction pores(exchange, entries("model sphereCaps;"));
+    solidFractionField solids(exchange, entries("model sphereCaps;"));
     exchange.locate(phase);
-    pores.update();
+    solids.update();
 
     // Velocity is curved: that of the cell of a grain is not the one around it
     fluidFields fluid(water(box.mesh().nCells()));
@@ -251,7 +251,7 @@ TEST(grainForces, areNoneInAnyCellWhereGrainsMoveWithTheFluidAroundThem)
         fluid.rho[cell] = 1000 + 100*at[cell].x();
     }
 
-    const particleMeshMapping& mapping = pores.mapping();
+    const particleMeshMapping& mapping = solids.mapping();
     const vectorField momentum
     (
         mapping.gather(vectorField(fluid.rho*fluid.U))
@@ -262,11 +262,11 @@ TEST(grainForces, areNoneInAnyCellWhereGrainsMoveWithTheFluidAroundThem)
         phase.grains.U[exchange.grains()[i].id] = momentum[i]/rho[i];
     }
     exchange.locate(phase);
-    pores.update();
+    solids.update();
 
     interphaseForces forces
     (
-        exchange, pores, entries("drag { model Ergun; }"), vector(Zero), 1
+        exchange, solids, entries("drag { model Ergun; }"), vector(Zero), 1
     );
     forces.prepare(fluid, interval);
 
@@ -289,8 +289,8 @@ scalar dragOnTheShortestWave(const string& smoothing)
     phase.grains.U = Zero;
     grainExchange exchange(box.mesh());
     exchange.locate(phase);
-    voidFraction pores(exchange, entries("model centroid; " + smoothing));
-    pores.update();
+    solidFractionField solids(exchange, entries("model centroid; " + smoothing));
+    solids.update();
 
     fluidFields fluid(water(box.mesh().nCells()));
     const vectorField& at = box.mesh().C();
@@ -303,7 +303,7 @@ scalar dragOnTheShortestWave(const string& smoothing)
         }
         interphaseForces forces
         (
-            exchange, pores, entries("drag { model Ergun; }"), vector(Zero), 1
+            exchange, solids, entries("drag { model Ergun; }"), vector(Zero), 1
         );
         forces.prepare(fluid, interval);
         const vectorField force
@@ -339,13 +339,13 @@ TEST(grainForces, sumUpWithoutWhatWallsGive)
         phase.grains.U = vector(-0.1, 0, 0);
         grainExchange exchange(box.mesh());
         exchange.locate(phase);
-        voidFraction pores(exchange, entries(inOneCellEach));
-        pores.update();
+        solidFractionField solids(exchange, entries(inOneCellEach));
+        solids.update();
 
         grainForces forces
         (
             exchange,
-            pores,
+            solids,
             entries("drag { model SchillerNaumann; } " + lubrication),
             g,
             1
@@ -389,11 +389,11 @@ TEST(meanGrainVelocity, isByMassWhereGrainsAreInOneCell)
 
     grainExchange exchange(box.mesh());
     exchange.locate(phase);
-    voidFraction pores(exchange, entries(inOneCellEach));
-    pores.update();
-    meanGrainVelocity mean(exchange, pores.mapping());
+    solidFractionField solids(exchange, entries(inOneCellEach));
+    solids.update();
+    meanGrainVelocity mean(exchange, solids.mapping());
 
-    // Until it is asked for each has its own
+    // Each grain has its own velocity until update() is called
     for (label i = 0; i < 3; ++i)
     {
         EXPECT_EQ(mean[i], exchange.grains()[i].velocity);
@@ -430,12 +430,12 @@ TEST(grainForces, aGrainFeelsThePhaseAroundItHoweverNearTheSurface)
         phase.grains.U = vector(0, 0, 0);
         grainExchange exchange(box.mesh());
         exchange.locate(phase);
-        voidFraction pores(exchange, entries(""));
-        pores.setWater(alpha);
-        pores.update();
+        solidFractionField solids(exchange, entries(""));
+        solids.setWater(alpha);
+        solids.update();
         grainForces forces
         (
-            exchange, pores, entries("drag { model SchillerNaumann; }"), g, 1
+            exchange, solids, entries("drag { model SchillerNaumann; }"), g, 1
         );
 
         const vectorField none(n, Zero);
@@ -453,7 +453,7 @@ TEST(grainForces, aGrainFeelsThePhaseAroundItHoweverNearTheSurface)
         EXPECT_NEAR(forces.force()[0].z(), displaced, drag + leak) << depth;
 
         // And displaces it
-        const scalarField solid(box.mesh().V()*pores.solidFraction());
+        const scalarField solid(box.mesh().V()*solids.solidFraction());
         const scalar inWater = sum(solid*alpha);
         EXPECT_LE
         (

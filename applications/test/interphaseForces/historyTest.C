@@ -55,7 +55,7 @@ struct sphere
 
     grainExchange exchange;
 
-    autoPtr<voidFraction> pores;
+    autoPtr<solidFractionField> solids;
 
     autoPtr<interphaseForces> forces;
 
@@ -76,19 +76,19 @@ struct sphere
             phase.held.insert(0);
         }
         exchange.locate(phase);
-        pores.reset
+        solids.reset
         (
-            new voidFraction
+            new solidFractionField
             (
                 exchange, entries("model centroid; smoothing { model none; }")
             )
         );
-        pores->update();
+        solids->update();
         forces.reset
         (
             new interphaseForces
             (
-                exchange, *pores,
+                exchange, *solids,
                 entries("rotationalDrag { model none; }" + laws),
                 vector(Zero), 1
             )
@@ -102,7 +102,7 @@ struct sphere
         const vectorField none(n, Zero);
         const scalarField one(n, 1);
         exchange.locate(phase);
-        pores->update();
+        solids->update();
         const vectorField at(n, U);
         forces->prepare
         (

@@ -2,7 +2,7 @@
 // Unit tests of the lift laws.
 
 #include "SubList.H"
-#include "closuresInUse.H"
+#include "forceModels.H"
 #include "forceLaws.H"
 #include "testMesh.H"
 
@@ -206,7 +206,7 @@ TEST(lift, strengthZeroIsNothingAndBetweenIsInProportion)
         const auto lift = [&](const std::string& strength)
         {
             vectorField forces(1, vector(1, 2, 3));
-            closuresInUse(box.mesh(), entries(model + strength + "}"))
+            forceModels(box.mesh(), entries(model + strength + "}"))
                 .liftForces(List<grainState>(1, state), forces);
             return forces[0];
         };

@@ -21,13 +21,13 @@ struct loneGrain
 
     grainExchange exchange;
 
-    voidFraction pores;
+    solidFractionField solids;
 
     explicit loneGrain(const scalar d)
     :
         phase(box.mesh()),
         exchange(box.mesh()),
-        pores(exchange, entries(inOneCellEach))
+        solids(exchange, entries(inOneCellEach))
     {
         put(phase, pointField(1, point(0.4, 0.4, 0.4)), d);
     }
@@ -42,11 +42,11 @@ struct loneGrain
     {
         const label n = box.mesh().nCells();
         exchange.locate(phase);
-        pores.update();
+        solids.update();
 
         auto result = autoPtr<interphaseForces>::New
         (
-            exchange, pores, entries(laws), g, 1
+            exchange, solids, entries(laws), g, 1
         );
         const vectorField none(n, Zero);
         result->prepare(fluid, interval);
@@ -59,7 +59,7 @@ struct loneGrain
                     fluid.U, none, vectorField(n, pressureGradient), none,
                     scalarField(), Zero
                 },
-                fluid.rho, *result, pores, box.mesh(), g
+                fluid.rho, *result, solids, box.mesh(), g
             )
         );
         EXPECT_LT(result->residual(), 1e-12);

@@ -53,7 +53,7 @@ struct approach
 
     grainExchange exchange;
 
-    autoPtr<voidFraction> pores;
+    autoPtr<solidFractionField> solids;
 
     autoPtr<interphaseForces> forces;
 
@@ -76,19 +76,19 @@ struct approach
         phase.grains.U = vector(v, 0, 0);
         phase.radii = scalarField(1, r);
         exchange.locate(phase);
-        pores.reset
+        solids.reset
         (
-            new voidFraction
+            new solidFractionField
             (
                 exchange, entries("model centroid; smoothing { model none; }")
             )
         );
-        pores->update();
+        solids->update();
         forces.reset
         (
             new interphaseForces
             (
-                exchange, *pores,
+                exchange, *solids,
                 entries
                 (
                     "drag { model none; } rotationalDrag { model none; }" + laws
@@ -103,7 +103,7 @@ struct approach
         const vectorField none(box.mesh().nCells(), Zero);
         const scalarField one(box.mesh().nCells(), 1);
         exchange.locate(phase);
-        pores->update();
+        solids->update();
         forces->prepare
         (
             fluidFields{970*one, mu*one, one, none, none, none, none}, interval

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unit tests of the rotational drag laws.
 
-#include "closuresInUse.H"
+#include "forceModels.H"
 #include "forceLaws.H"
 #include "testMesh.H"
 
@@ -27,7 +27,7 @@ scalar overLaminar(const std::string& text, const scalar Re)
     const grainState state = spinning(Re);
     testMesh box;
     return
-        closuresInUse(box.mesh(), entries("rotationalDrag {" + text + "}"))
+        forceModels(box.mesh(), entries("rotationalDrag {" + text + "}"))
        .rotationalDragCoefficient(state)/(M_PI*state.mu*pow3(state.d));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unit tests of the virtual mass laws.
 
-#include "closuresInUse.H"
+#include "forceModels.H"
 #include "forceLaws.H"
 #include "testMesh.H"
 
@@ -17,7 +17,7 @@ scalar coefficient(const std::string& text, const scalar voidFraction)
     state.voidFraction = voidFraction;
     testMesh box;
     return
-        closuresInUse(box.mesh(), entries("virtualMass {" + text + "}"))
+        forceModels(box.mesh(), entries("virtualMass {" + text + "}"))
        .virtualMassCoefficient(state);
 }
 

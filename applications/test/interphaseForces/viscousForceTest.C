@@ -55,16 +55,16 @@ vectorField viscousForces
     put(phase, places, d);
     grainExchange exchange(mesh);
     exchange.locate(phase);
-    voidFraction pores
+    solidFractionField solids
     (
         exchange, entries("model sphereCaps; smoothing { model none; }")
     );
-    pores.update();
+    solids.update();
 
     interphaseForces forces
     (
         exchange,
-        pores,
+        solids,
         entries
         (
             "drag { model none; } pressureGradient { strength 0; }"

@@ -3,7 +3,7 @@
 
 #include "diffusion.H"
 #include "grainsInBox.H"
-#include "saidDuring.H"
+#include "terminalOutput.H"
 #include "testNumber.H"
 
 #include "IStringStream.H"
@@ -68,9 +68,9 @@ List<scalarField> gravelWithBoulder()
 
         grainExchange exchange(test.mesh());
         exchange.locate(phase);
-        voidFraction pores(exchange, settings("sphereCaps", "diffusion"));
-        pores.update();
-        result.append(pores.solidFraction());
+        solidFractionField solids(exchange, settings("sphereCaps", "diffusion"));
+        solids.update();
+        result.append(solids.solidFraction());
     }
     return result;
 }
@@ -152,11 +152,11 @@ TEST(diffusion, aPointBecomesABellCurveOfTheWidth)
     // middle, is none
     const scalar exact = sqr(2*d)/2;
 
-    voidFraction pores(exchange, settings("centroid", "diffusion"));
-    pores.update();
+    solidFractionField solids(exchange, settings("centroid", "diffusion"));
+    solids.update();
     const vector moment
     (
-        secondMoment(test.mesh(), pores.solidFraction(), middle)
+        secondMoment(test.mesh(), solids.solidFraction(), middle)
     );
     for (direction k = 0; k < 3; ++k)
     {
@@ -174,7 +174,7 @@ TEST(diffusion, aPointBecomesABellCurveOfTheWidth)
             secondMoment
             (
                 test.mesh(),
-                pores.mapping().smoothed(one, pores.mapping().ofVolume(), 0),
+                solids.mapping().smoothed(one, solids.mapping().ofVolume(), 0),
                 middle
             )
           - vector::uniform(exact)
@@ -254,9 +254,9 @@ TEST(diffusion, aBoulderLeavesTheGravelAroundItAsDenseAsItIs)
 TEST(diffusion, warnsWhereTheWidthOfLikeGrainsChanges)
 {
     testMesh test(box());
-    const auto said = [&](const string& more)
+    const auto output = [&](const string& more)
     {
-        return saidDuring
+        return outputDuring
         (
             [&]
             {
@@ -270,9 +270,9 @@ TEST(diffusion, warnsWhereTheWidthOfLikeGrainsChanges)
         );
     };
 
-    expectSays(said("width 3;"), "went from 0.002 to 0.0025");
-    expectSays(said("width 3;"), "diameter 0.002;");
-    expectSaysNo(said("width 3; diameter 0.002;"), "Warning");
+    expectHolds(output("width 3;"), "went from 0.002 to 0.0025");
+    expectHolds(output("width 3;"), "diameter 0.002;");
+    expectLacks(output("width 3; diameter 0.002;"), "Warning");
 }
 
 
@@ -295,8 +295,8 @@ TEST(diffusion, aDiameterOfNothingIsAnError)
     dictionary dict(settings("centroid", "diffusion"));
     dict.subDict("smoothing").add("diameter", 0);
 
-    expectSays
+    expectHolds
     (
-        refusal([&]{ voidFraction p(exchange, dict); }), "diameter is 0 m"
+        refusal([&]{ solidFractionField p(exchange, dict); }), "diameter is 0 m"
     );
 }

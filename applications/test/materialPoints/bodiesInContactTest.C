@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unit tests: bodies of material points in frictional contact.
 
-#include "saidDuring.H"
+#include "terminalOutput.H"
 #include "testNumber.H"
 #include "testPoints.H"
 
@@ -266,7 +266,7 @@ TEST(bodiesInContact, bodiesFarApartAreToTheLastBitWhatEachIsAlone)
 
 TEST(bodiesInContact, regionsThatOverlapAreNamed)
 {
-    const auto said = [](const string& high) -> std::string
+    const auto output = [](const string& high) -> std::string
     {
         const string low(stiff + region("((0.1 0 0) (0.3 1 0.2))"));
         return refusal([&]()
@@ -278,10 +278,10 @@ TEST(bodiesInContact, regionsThatOverlapAreNamed)
         });
     };
 
-    EXPECT_EQ(said("((0.1 0 0.2) (0.3 1 0.4))"), "nothing");
+    EXPECT_EQ(output("((0.1 0 0.2) (0.3 1 0.4))"), "nothing");
 
     // The place is that of the first point of both
-    const std::string overlap(said("((0.2 0 0.1) (0.4 1 0.4))"));
+    const std::string overlap(output("((0.2 0 0.1) (0.4 1 0.4))"));
     EXPECT_NE(overlap.find("bodies a and b overlap"), std::string::npos)
         << overlap;
     EXPECT_NE(overlap.find("(0.2125 0.05 0.1125)"), std::string::npos)

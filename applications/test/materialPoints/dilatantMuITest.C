@@ -2,7 +2,7 @@
 // Unit tests: mu(I) with dilation, on single points and slopes.
 
 #include "dilatantMuI.H"
-#include "saidDuring.H"
+#include "terminalOutput.H"
 #include "scalarField.H"
 #include "testNumber.H"
 #include "testPoints.H"
@@ -220,22 +220,22 @@ TEST(dilatantMuI, aSlopeStandsBelowItsStaticFrictionAndFlowsAbove)
 
 TEST(dilatantMuI, whatIsWrongIsNamed)
 {
-    const auto said = [](const string& more)
+    const auto output = [](const string& more)
     {
         return refusal([&]() { constitutiveLaw::New(settings(grains + more)); });
     };
 
-    EXPECT_EQ(said(""), "nothing");
+    EXPECT_EQ(output(""), "nothing");
     EXPECT_NE
     (
-        said("limitFriction 0.3;").find("below staticFriction"),
+        output("limitFriction 0.3;").find("below staticFriction"),
         std::string::npos
     );
     EXPECT_NE
     (
-        said("maxSolidFraction 1;").find("maxSolidFraction is 1"),
+        output("maxSolidFraction 1;").find("maxSolidFraction is 1"),
         std::string::npos
     );
-    EXPECT_NE(said("strength both;").find("withDilation"), std::string::npos);
-    EXPECT_NE(said("frictionAngle 3;").find("frictionAngle"), std::string::npos);
+    EXPECT_NE(output("strength both;").find("withDilation"), std::string::npos);
+    EXPECT_NE(output("frictionAngle 3;").find("frictionAngle"), std::string::npos);
 }

@@ -5,7 +5,7 @@
 #include "grainPointContact.H"
 #include "pointGrid.H"
 #include "pointSet.H"
-#include "saidDuring.H"
+#include "terminalOutput.H"
 #include "testNumber.H"
 #include "vectorField.H"
 
@@ -86,7 +86,7 @@ struct grainAndPoint
 };
 
 
-//- What is said of a grain that touches the point
+//- The error for a grain that touches the point
 std::string saidOf
 (
     const scalar radius,

@@ -167,7 +167,7 @@ public:
 };
 
 
-std::string said(const beadsAndPoints& what)
+std::string output(const beadsAndPoints& what)
 {
     return refusal([&]() { beadsOnPoints all(what); });
 }
@@ -347,22 +347,22 @@ TEST(ParallelGrainsOnPoints, aBeadThatChangesRankMovesAsOneThatStaysOnIt)
 TEST(grainsOnPoints, whatIsNotSupportedIsNamed)
 {
     beadsAndPoints what;
-    EXPECT_EQ(said(what), "nothing");
+    EXPECT_EQ(output(what), "nothing");
 
     what.more = "";
-    EXPECT_NE(said(what).find("fluid none;"), std::string::npos);
+    EXPECT_NE(output(what).find("fluid none;"), std::string::npos);
 
     what.more = "fluid none; coarseGraining 2;";
-    EXPECT_NE(said(what).find("coarseGraining"), std::string::npos);
+    EXPECT_NE(output(what).find("coarseGraining"), std::string::npos);
 
     what = beadsAndPoints();
     what.points = "timeStep 1e-4;";
-    EXPECT_NE(said(what).find("timeStep is not read"), std::string::npos);
+    EXPECT_NE(output(what).find("timeStep is not read"), std::string::npos);
 
     what = beadsAndPoints();
     what.box.patches =
         {{"cyclic", "cyclic", "empty", "empty", "wall", "patch"}};
-    EXPECT_NE(said(what).find("repeats itself along x"), std::string::npos);
+    EXPECT_NE(output(what).find("repeats itself along x"), std::string::npos);
 }
 
 
@@ -376,7 +376,7 @@ TEST(grainsOnPoints, stepsOfThePointsAreNoLongerThanContactAllows)
             "stiffness " + std::to_string(0.015*sqr(0.5/(most*5e-5))) + ";";
         EXPECT_NE
         (
-            saidDuring([&]() { beadsOnPoints all(what); }).find
+            outputDuring([&]() { beadsOnPoints all(what); }).find
             (
                 std::to_string(steps) + " steps of the points in 10 DEM steps"
             ),
@@ -390,22 +390,22 @@ TEST(grainsOnPoints, aWrongContactIsNamed)
 {
     beadsAndPoints what;
     what.contact = "stiffness -1;";
-    EXPECT_NE(said(what).find("stiffness"), std::string::npos);
+    EXPECT_NE(output(what).find("stiffness"), std::string::npos);
 
     what.contact = "stiffness 1000; friction -1;";
-    EXPECT_NE(said(what).find("friction"), std::string::npos);
+    EXPECT_NE(output(what).find("friction"), std::string::npos);
 
     what.contact = "stiffness 1000; restitution 1;";
-    EXPECT_NE(said(what).find("restitution"), std::string::npos);
+    EXPECT_NE(output(what).find("restitution"), std::string::npos);
 
     what.contact = "stifness 1000;";
     EXPECT_NE
     (
-        said(what).find("Valid keywords: stiffness"), std::string::npos
+        output(what).find("Valid keywords: stiffness"), std::string::npos
     );
 
     what.contact = "stiffness 1e9;";
-    EXPECT_NE(said(what).find("steps of at most"), std::string::npos);
+    EXPECT_NE(output(what).find("steps of at most"), std::string::npos);
 }
 
 
@@ -432,5 +432,5 @@ TEST(grainsOnPoints, bodiesMayDifferInTheirGrainsWithoutAFluid)
         elastic + " grainDiameter 0.001; region { box ((0.2 0 0.1) (0.4 1 0.2)); } }"
         " clay { " + elastic
       + " grainDiameter 0.002; region { box ((0.4 0 0.1) (0.6 1 0.2)); }";
-    EXPECT_EQ(said(what), "nothing");
+    EXPECT_EQ(output(what), "nothing");
 }

@@ -246,12 +246,12 @@ TEST(materialPointsPhase, anOutflowThatIsNotAWholeSideIsNamed)
     });
     const string here("box ((0 0 0) (0.2 1 0.2));");
 
-    const std::string said
+    const std::string output
     (
         refusal([&]() { points(mesh, here, "outflow (xMax);"); })
     );
-    EXPECT_NE(said.find("Patch xMax"), std::string::npos) << said;
-    EXPECT_NE(said.find("faces of zMax"), std::string::npos) << said;
+    EXPECT_NE(output.find("Patch xMax"), std::string::npos) << output;
+    EXPECT_NE(output.find("faces of zMax"), std::string::npos) << output;
 }
 
 
@@ -277,18 +277,18 @@ TEST(materialPointsPhase, whatIsWrongIsNamed)
     const fvMesh& mesh = box.mesh();
     const string here("box ((0 0 0) (0.2 1 0.2));");
 
-    const auto said = [&](const string& region, const string& rest)
+    const auto output = [&](const string& region, const string& rest)
     {
         return refusal([&]() { points(mesh, region, rest); });
     };
 
-    EXPECT_NE(said(here, "outflow (noSuch);").find("noSuch"), std::string::npos);
-    EXPECT_NE(said(here, "courant 2;").find("courant is 2"), std::string::npos);
-    EXPECT_NE(said(here, "cellsize 2;").find("cellsize"), std::string::npos);
-    EXPECT_NE(said(here, "contact {}").find("only sand"), std::string::npos);
+    EXPECT_NE(output(here, "outflow (noSuch);").find("noSuch"), std::string::npos);
+    EXPECT_NE(output(here, "courant 2;").find("courant is 2"), std::string::npos);
+    EXPECT_NE(output(here, "cellsize 2;").find("cellsize"), std::string::npos);
+    EXPECT_NE(output(here, "contact {}").find("only sand"), std::string::npos);
     EXPECT_NE
     (
-        said
+        output
         (
             "box ((0 0 0) (0.2 1 0.2)); } walls { friction 1;", ""
         ).find("has walls of its own"),
@@ -296,22 +296,22 @@ TEST(materialPointsPhase, whatIsWrongIsNamed)
     );
     EXPECT_NE
     (
-        said("box ((5 5 5) (6 6 6));", "").find("holds no point"),
+        output("box ((5 5 5) (6 6 6));", "").find("holds no point"),
         std::string::npos
     );
     EXPECT_NE
     (
-        said("box ((0 0 0.2) (0.2 1 0));", "").find("the lower one"),
+        output("box ((0 0 0.2) (0.2 1 0));", "").find("the lower one"),
         std::string::npos
     );
     EXPECT_NE
     (
-        said(here, "transfer { model PIC; }").find("APIC FLIP"),
+        output(here, "transfer { model PIC; }").find("APIC FLIP"),
         std::string::npos
     );
     EXPECT_NE
     (
-        said("box ((0 0 0) (0.2 1 0.2)); } } clay 5; more { none {", "")
+        output("box ((0 0 0) (0.2 1 0.2)); } } clay 5; more { none {", "")
             .find("Entry clay of bodies"),
         std::string::npos
     );
@@ -321,9 +321,9 @@ TEST(materialPointsPhase, whatIsWrongIsNamed)
 TEST(materialPointsPhase, stepsThatAreVeryManyAreTold)
 {
     testMesh box(slice());
-    const auto said = [&](const string& E, const string& rest)
+    const auto output = [&](const string& E, const string& rest)
     {
-        return saidDuring
+        return outputDuring
         (
             [&]()
             {
@@ -338,10 +338,10 @@ TEST(materialPointsPhase, stepsThatAreVeryManyAreTold)
     };
 
     // Waves of 27 m/s in cells of 20 mm
-    expectSaysNo(said("", ""), "stable");
-    expectSays(said("", "timeStep 1e-3;"), "exchange every 10 steps = 0.01 s, in 35");
-    expectSays(said("E 1e14;", ""), "steps until endTime");
-    expectSaysNo(said("E 1e8;", ""), "Warning");
+    expectLacks(output("", ""), "stable");
+    expectHolds(output("", "timeStep 1e-3;"), "exchange every 10 steps = 0.01 s, in 35");
+    expectHolds(output("E 1e14;", ""), "steps until endTime");
+    expectLacks(output("E 1e8;", ""), "Warning");
 }
 
 
@@ -349,7 +349,7 @@ TEST(materialPointsPhase, aFrictionOfWhatIsNoWallIsNamed)
 {
     // zMax is a patch through which fluid flows
     testMesh box(slice());
-    const auto said = [&](const string& walls)
+    const auto output = [&](const string& walls)
     {
         const string text
         (
@@ -367,15 +367,15 @@ TEST(materialPointsPhase, aFrictionOfWhatIsNoWallIsNamed)
         });
     };
 
-    EXPECT_EQ(said("zMin"), "nothing");
-    EXPECT_NE(said("zMax").find("zMax"), std::string::npos) << said("zMax");
+    EXPECT_EQ(output("zMin"), "nothing");
+    EXPECT_NE(output("zMax").find("zMax"), std::string::npos) << output("zMax");
 }
 
 
 TEST(materialPointsPhase, aNegativeFrictionOfABodyIsNamed)
 {
     testMesh box(slice());
-    const std::string said
+    const std::string output
     (
         refusal([&]()
         {
@@ -392,7 +392,7 @@ TEST(materialPointsPhase, aNegativeFrictionOfABodyIsNamed)
 
     EXPECT_NE
     (
-        said.find("friction of wall zMin for body clay is -1"),
+        output.find("friction of wall zMin for body clay is -1"),
         std::string::npos
-    ) << said;
+    ) << output;
 }

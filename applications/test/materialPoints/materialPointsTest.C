@@ -181,9 +181,9 @@ TEST(materialPoints, aPointBeyondTheGridIsNamed)
     }
     catch (const Foam::error& e)
     {
-        const std::string said(e.message());
-        EXPECT_NE(said.find("Point "), std::string::npos) << said;
-        EXPECT_NE(said.find("of body body is beyond"), std::string::npos);
+        const std::string output(e.message());
+        EXPECT_NE(output.find("Point "), std::string::npos) << output;
+        EXPECT_NE(output.find("of body body is beyond"), std::string::npos);
     }
 }
 

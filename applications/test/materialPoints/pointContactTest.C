@@ -3,7 +3,7 @@
 
 #include "StringStream.H"
 #include "pointContact.H"
-#include "saidDuring.H"
+#include "terminalOutput.H"
 #include "vector.H"
 
 #include <gtest/gtest.h>
@@ -95,7 +95,7 @@ TEST(pointContact, aClumpMakesNoNormal)
 TEST(pointContact, aPairThatIsNoneIsNamed)
 {
     const wordList bodies({"debris", "bed"});
-    const auto said = [&](const string& settings) -> std::string
+    const auto output = [&](const string& settings) -> std::string
     {
         return refusal([&]()
         {
@@ -103,14 +103,14 @@ TEST(pointContact, aPairThatIsNoneIsNamed)
         });
     };
 
-    EXPECT_EQ(said("frictions { debris { bed 0.2; } }"), "nothing");
-    EXPECT_NE(said("frictions { debris { bad 0; } }").find("bad"), -1ul);
-    EXPECT_NE(said("frictions { bad { bed 0; } }").find("bad"), -1ul);
-    EXPECT_NE(said("frictions { bed { bed 0; } }").find("one body"), -1ul);
-    EXPECT_NE(said("friction -1;").find("below zero"), -1ul);
+    EXPECT_EQ(output("frictions { debris { bed 0.2; } }"), "nothing");
+    EXPECT_NE(output("frictions { debris { bad 0; } }").find("bad"), -1ul);
+    EXPECT_NE(output("frictions { bad { bed 0; } }").find("bad"), -1ul);
+    EXPECT_NE(output("frictions { bed { bed 0; } }").find("one body"), -1ul);
+    EXPECT_NE(output("friction -1;").find("below zero"), -1ul);
     EXPECT_NE
     (
-        said("frictions { bed { debris 0; } debris { bed 0; } }").find("twice"),
+        output("frictions { bed { debris 0; } debris { bed 0; } }").find("twice"),
         -1ul
     );
 }

@@ -3,7 +3,7 @@
 
 #include "StringStream.H"
 #include "constitutiveLaw.H"
-#include "saidDuring.H"
+#include "terminalOutput.H"
 #include "scalarField.H"
 #include "softeningDruckerPrager.H"
 
@@ -191,9 +191,9 @@ TEST(pointLaws, stressTurnsWithTheMaterial)
 
 TEST(pointLaws, anAngleThatMayBeInRadiansIsNamed)
 {
-    const auto said = [](const string& angles)
+    const auto output = [](const string& angles)
     {
-        return saidDuring
+        return outputDuring
         (
             [&]()
             {
@@ -209,20 +209,20 @@ TEST(pointLaws, anAngleThatMayBeInRadiansIsNamed)
         );
     };
 
-    expectSays(said("frictionAngle 0.56;"), "frictionAngle is 0.56 degrees");
-    expectSays(said("frictionAngle 0.56;"), "write 32.08");
-    expectSays
+    expectHolds(output("frictionAngle 0.56;"), "frictionAngle is 0.56 degrees");
+    expectHolds(output("frictionAngle 0.56;"), "write 32.08");
+    expectHolds
     (
-        said("frictionAngle 32; residualFrictionAngle 0.4;"),
+        output("frictionAngle 32; residualFrictionAngle 0.4;"),
         "residualFrictionAngle is 0.4 degrees"
     );
-    expectSaysNo
+    expectLacks
     (
-        said("frictionAngle 1.6; residualFrictionAngle 0;"), "Warning"
+        output("frictionAngle 1.6; residualFrictionAngle 0;"), "Warning"
     );
-    expectSaysNo
+    expectLacks
     (
-        said("frictionAngle 0.56;"), "residualFrictionAngle"
+        output("frictionAngle 0.56;"), "residualFrictionAngle"
     );
 }
 

@@ -209,7 +209,7 @@ TEST(ParallelMaterialPoints, aPointThatPassesAWholeRankIsNamed)
     }
     catch (const Foam::error& e)
     {
-        const std::string said(e.message());
-        EXPECT_NE(said.find("past a whole rank"), std::string::npos) << said;
+        const std::string output(e.message());
+        EXPECT_NE(output.find("past a whole rank"), std::string::npos) << output;
     }
 }

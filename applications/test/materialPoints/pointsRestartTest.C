@@ -210,12 +210,12 @@ TEST(materialPointsPhase, aStateOfAnotherDensityIsRefused)
     sandy->checkOut();
 
     // The body's dictionary goes on after its region
-    const std::string said
+    const std::string output
     (
         refusal([&]() { points(box.mesh(), here + " } density 1800; region {"); })
     );
-    EXPECT_NE(said.find("sand 1500"), std::string::npos) << said;
-    EXPECT_NE(said.find("sand 1800"), std::string::npos) << said;
+    EXPECT_NE(output.find("sand 1500"), std::string::npos) << output;
+    EXPECT_NE(output.find("sand 1800"), std::string::npos) << output;
 }
 
 

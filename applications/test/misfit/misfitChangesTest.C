@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Changes of a case that misfitFoam makes: what was asked, and nothing else.
+// misfitFoam changes in a case what the dictionary requests, and nothing else.
 
 #include "caseChange.H"
 #include "fakeCase.H"
@@ -29,8 +29,8 @@ TEST(misfitChanges, anEntryIsChangedAndIncludesStay)
     change("file \"system/controlDict\"; entry endTime; scale 2; offset 1;")
         .apply(c.folder(), 3);
     const std::string text(contentOf(c.folder()/"system/controlDict"));
-    expectSays(text, "#include");
-    expectSays(text, "\"more\"");
+    expectHolds(text, "#include");
+    expectHolds(text, "\"more\"");
 
     IFstream is(c.folder()/"system/controlDict");
     const dictionary dict(is);
@@ -54,11 +54,11 @@ TEST(misfitChanges, aVariableOfAScriptIsChanged)
 TEST(misfitChanges, whatIsNotThereCannotBeChanged)
 {
     const fakeCase c;
-    const auto said = [&c](const std::string& text)
+    const auto output = [&c](const std::string& text)
     {
         return refusal([&](){ change(text).apply(c.folder(), 1); });
     };
-    expectSays(said("file \"constant/model\"; entry \"a/slop\";"), "add true");
-    expectSays(said("file \"constant/none\"; entry x;"), "has no file");
-    expectSays(said("file \"constant/script\"; variable nu;"), "0 lines");
+    expectHolds(output("file \"constant/model\"; entry \"a/slop\";"), "add true");
+    expectHolds(output("file \"constant/none\"; entry x;"), "has no file");
+    expectHolds(output("file \"constant/script\"; variable nu;"), "0 lines");
 }

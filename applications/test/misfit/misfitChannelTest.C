@@ -4,7 +4,7 @@
 
 #include "recordedFiles.H"
 #include "recordings.H"
-#include "saidDuring.H"
+#include "terminalOutput.H"
 #include "units.H"
 
 #include "IStringStream.H"
@@ -35,7 +35,7 @@ channel channelOf
 }
 
 
-//- What is said of it
+//- The error for this channel
 std::string refusalOf
 (
     const std::string& text,
@@ -135,10 +135,10 @@ TEST(misfitChannel, aGapInTheColumnOfAnotherSensorIsNoFault)
 {
     const std::string text("t_s,p_Pa,q_Pa\n0,1,5\n1,NaN,6\n2,,7\n3,4,8\n");
     EXPECT_EQ(channelOf(text, "file \"S1.csv\"; column q;").recorded.y.size(), 4);
-    const std::string said(refusalOf(text, "file \"S1.csv\"; column p;"));
-    expectSays(said, "Line 3 of");
-    expectSays(said, "holds \"NaN\"");
-    expectSays(said, "first of 2 such lines");
+    const std::string output(refusalOf(text, "file \"S1.csv\"; column p;"));
+    expectHolds(output, "Line 3 of");
+    expectHolds(output, "holds \"NaN\"");
+    expectHolds(output, "first of 2 such lines");
 }
 
 
@@ -173,7 +173,7 @@ TEST(misfitChannel, aColumnIsFoundByItsNumberFromOne)
     EXPECT_EQ(c.recorded.y[2], 7);
     for (const std::string number : {"0", "4"})
     {
-        expectSays
+        expectHolds
         (
             refusalOf(text, "file \"S1.csv\"; column " + number + ';'),
             "no column \"" + number + "\", counted from 1"
@@ -228,12 +228,12 @@ TEST(misfitChannel, ofRepeatedExperimentsTheMeanIsRecordedAtTheTimesOfTheFirst)
     {
         return refusal([&]() { read(entries); });
     };
-    expectSays(refused("\"S1.csv\"); " + file), "done again, not a copy");
-    expectSays(refused("\"short.csv\"); " + file), "that all repeats cover");
-    expectSays(refused("\"coarse.csv\"); " + file), "the coarsest one as file");
-    expectSays(refused("\"none.csv\"); " + file), "there is no file");
-    expectSays(refused("\"again.csv\");"), "repeats of no recording");
-    expectSays(refused("\"again.csv\"); value 3; unit Pa;"), "no file and no repeats");
+    expectHolds(refused("\"S1.csv\"); " + file), "done again, not a copy");
+    expectHolds(refused("\"short.csv\"); " + file), "that all repeats cover");
+    expectHolds(refused("\"coarse.csv\"); " + file), "the coarsest one as file");
+    expectHolds(refused("\"none.csv\"); " + file), "there is no file");
+    expectHolds(refused("\"again.csv\");"), "repeats of no recording");
+    expectHolds(refused("\"again.csv\"); value 3; unit Pa;"), "no file and no repeats");
 }
 
 
@@ -275,9 +275,9 @@ TEST(misfitChannel, aNumberAloneIsOneSampleInSI)
 TEST(misfitChannel, aNumberAloneWithoutItsUnitOrBesideAFileIsRefused)
 {
     const std::string good("t_s,p_Pa\n0,1\n1,2\n2,4\n");
-    expectSays(refusalOf(good, "value 3;"), "needs its unit");
-    expectSays(refusalOf(good, "value 3; unit Pa; file \"S1.csv\";"), "no file");
-    expectSays(refusalOf(good, "value 3; unit mm;"), "no unit of pressure");
+    expectHolds(refusalOf(good, "value 3;"), "needs its unit");
+    expectHolds(refusalOf(good, "value 3; unit Pa; file \"S1.csv\";"), "no file");
+    expectHolds(refusalOf(good, "value 3; unit mm;"), "no unit of pressure");
 }
 
 
@@ -309,49 +309,49 @@ TEST(misfitChannel, theQuietTimeBeforeTheArrivalShowsTheNoise)
 TEST(misfitChannel, aSensorThatShowsNoChangeIsToldOf)
 {
     // The uncertainty is 2
-    const auto said = [](const std::string& numbers)
+    const auto output = [](const std::string& numbers)
     {
-        return saidDuring([&]() { channelOf("t_s,p_Pa\n" + numbers); });
+        return outputDuring([&]() { channelOf("t_s,p_Pa\n" + numbers); });
     };
     const std::string words
     (
         "Channel S1 does not change by more than its uncertainty"
     );
-    expectSays(said("0,7\n1,7\n2,7\n"), words);
-    expectSays(said("0,7\n1,8\n2,7.5\n"), words);
-    EXPECT_EQ(said("0,7\n1,10\n2,9\n"), "");
+    expectHolds(output("0,7\n1,7\n2,7\n"), words);
+    expectHolds(output("0,7\n1,8\n2,7.5\n"), words);
+    EXPECT_EQ(output("0,7\n1,10\n2,9\n"), "");
 
-    EXPECT_EQ(saidDuring([]() { channelOf("", "value 3; unit Pa;"); }), "");
+    EXPECT_EQ(outputDuring([]() { channelOf("", "value 3; unit Pa;"); }), "");
 }
 
 
 TEST(misfitChannel, listsAreToldInPlainWords)
 {
     const std::string good("t_s,p_Pa\n0,1\n1,2\n2,3\n");
-    expectSays(refusalOf("t,p_Pa\n0,1\n1,2\n2,3\n"), "Units of time: h min ms s");
-    expectSays(refusalOf("t_s,p_mm\n0,1\n1,2\n2,3\n"), "Valid units: MPa Pa bar");
-    expectSays(refusalOf("t_s,p_Pa\n0,1\n1\n2,3\n"), "columns: \"t_s\" \"p_Pa\"");
-    expectSays
+    expectHolds(refusalOf("t,p_Pa\n0,1\n1,2\n2,3\n"), "Units of time: h min ms s");
+    expectHolds(refusalOf("t_s,p_mm\n0,1\n1,2\n2,3\n"), "Valid units: MPa Pa bar");
+    expectHolds(refusalOf("t_s,p_Pa\n0,1\n1\n2,3\n"), "columns: \"t_s\" \"p_Pa\"");
+    expectHolds
     (
         refusalOf(good, "file \"S1.csv\"; column q;"),
         "Its columns: \"t_s\" \"p_Pa\""
     );
-    expectSays(refusalOf("t_s\n0\n1\n"), "no column \"2\", counted from 1. Its columns: \"t_s\"");
+    expectHolds(refusalOf("t_s\n0\n1\n"), "no column \"2\", counted from 1. Its columns: \"t_s\"");
 }
 
 
 TEST(misfitChannel, aMissingUnitIsRefused)
 {
-    expectSays(refusalOf("t_s,p\n0,1\n1,2\n2,3\n"), "has no known unit");
-    expectSays(refusalOf("t,p_Pa\n0,1\n1,2\n2,3\n"), "Units of time");
+    expectHolds(refusalOf("t_s,p\n0,1\n1,2\n2,3\n"), "has no known unit");
+    expectHolds(refusalOf("t,p_Pa\n0,1\n1,2\n2,3\n"), "Units of time");
 }
 
 
 TEST(misfitChannel, aWrongUnitIsRefused)
 {
-    expectSays(refusalOf("t_s,p_mm\n0,1\n1,2\n2,3\n"), "no unit of pressure");
-    expectSays(refusalOf("t_s,p_mm\n0,1\n1,2\n2,3\n"), "kPa");
-    expectSays
+    expectHolds(refusalOf("t_s,p_mm\n0,1\n1,2\n2,3\n"), "no unit of pressure");
+    expectHolds(refusalOf("t_s,p_mm\n0,1\n1,2\n2,3\n"), "kPa");
+    expectHolds
     (
         refusalOf("t_s,p_Pa\n0,1\n1,2\n2,3\n", "file \"S1.csv\"; unit kPa;"),
         "Remove one of them"
@@ -363,14 +363,14 @@ TEST(misfitChannel, whatIsNoFiniteNumberIsRefusedWithItsLine)
 {
     for (const char* bad : {"nan", "inf", "1e999", "1.2.3", "", "12 Pa"})
     {
-        const std::string said
+        const std::string output
         (
             refusalOf(std::string("t_s,p_Pa\n0,1\n1,") + bad + "\n2,3\n")
         );
-        expectSays(said, "Line 3 of");
-        expectSays(said, "no finite number");
+        expectHolds(output, "Line 3 of");
+        expectHolds(output, "no finite number");
     }
-    expectSays(refusalOf("t_s,p_Pa\n0,1\n1\n2,3\n"), "has 1 cells for 2 columns");
+    expectHolds(refusalOf("t_s,p_Pa\n0,1\n1\n2,3\n"), "has 1 cells for 2 columns");
 }
 
 
@@ -379,16 +379,16 @@ TEST(misfitChannel, whatStandsForNotRecordedIsRefusedWithItsLine)
     const std::string text("t_s,p_Pa\n0,1\n1,-9999\n2,-9999\n3,5\n4,-77\n");
     for (const char* other : {"", "scale 2;"})
     {
-        const std::string said
+        const std::string output
         (
             refusalOf(text, std::string("file \"S1.csv\";") + other)
         );
-        expectSays(said, "Line 3 of");
-        expectSays(said, "holds -9999 in the column \"p_Pa\"");
-        expectSays(said, "are 2 such lines");
-        expectSays(said, "missing ();");
+        expectHolds(output, "Line 3 of");
+        expectHolds(output, "holds -9999 in the column \"p_Pa\"");
+        expectHolds(output, "are 2 such lines");
+        expectHolds(output, "missing ();");
     }
-    expectSays(refusalOf(text, "file \"S1.csv\"; missing (-77);"), "Line 6 of");
+    expectHolds(refusalOf(text, "file \"S1.csv\"; missing (-77);"), "Line 6 of");
     EXPECT_EQ(refusalOf(text, "file \"S1.csv\"; missing ();"), "nothing");
 }
 
@@ -396,21 +396,21 @@ TEST(misfitChannel, whatStandsForNotRecordedIsRefusedWithItsLine)
 TEST(misfitChannel, commasInNumbersAndOtherCodingsAreTold)
 {
     const std::string points("Write points, not commas");
-    expectSays(refusalOf("t_s,p_Pa\n0,0,1,0\n1,0,2,0\n"), points);
-    expectSays
+    expectHolds(refusalOf("t_s,p_Pa\n0,0,1,0\n1,0,2,0\n"), points);
+    expectHolds
     (
         refusalOf("Logger 3\nt_s,p_Pa\n0,1\n1,2\n2,4\n"),
         "begin each line above the names with #"
     );
     EXPECT_EQ(refusalOf("t_s,p_Pa\n0,1\n1\n").find(points), std::string::npos);
     const std::string wide("\xFF\xFEt\0_\0s\0,\0p\0\n\0", 15);
-    expectSays(refusalOf(wide), "not in UTF-16");
+    expectHolds(refusalOf(wide), "not in UTF-16");
 }
 
 
 TEST(misfitChannel, timesThatCountFromElsewhereAreToldInFull)
 {
-    const std::string said
+    const std::string output
     (
         refusalOf
         (
@@ -418,29 +418,29 @@ TEST(misfitChannel, timesThatCountFromElsewhereAreToldInFull)
             "file \"S1.csv\"; interval (0 1);"
         )
     );
-    expectSays(said, "covers 1764162816.25 to 1764162817.");
-    expectSays(said, "xOffset");
+    expectHolds(output, "covers 1764162816.25 to 1764162817.");
+    expectHolds(output, "xOffset");
 }
 
 
 TEST(misfitChannel, aFileNameWithABlankIsToldAsSuch)
 {
-    const std::string said(refusalOf("", "file \"run 1/S1.csv\";"));
-    expectSays(said, "run 1/S1.csv");
-    expectSays(said, "Rename it");
+    const std::string output(refusalOf("", "file \"run 1/S1.csv\";"));
+    expectHolds(output, "run 1/S1.csv");
+    expectHolds(output, "Rename it");
 }
 
 
 TEST(misfitChannel, aFileWithoutNamesOrNumbersIsRefused)
 {
-    expectSays(refusalOf("0,1\n1,2\n"), "no line of column names");
-    expectSays(refusalOf("t_s,p_Pa\n"), "holds no numbers");
+    expectHolds(refusalOf("0,1\n1,2\n"), "no line of column names");
+    expectHolds(refusalOf("t_s,p_Pa\n"), "holds no numbers");
     const std::string none(refusalOf("", "file \"none.csv\";"));
-    expectSays(none, "channel S1");
-    expectSays(none, "there is no file");
-    expectSays(none, "none.csv");
-    expectSays(none, "Mend file");
-    expectSays
+    expectHolds(none, "channel S1");
+    expectHolds(none, "there is no file");
+    expectHolds(none, "none.csv");
+    expectHolds(none, "Correct file");
+    expectHolds
     (
         refusalOf("t_s,p_Pa\n0,1\n", "file \"S1.csv\"; column q;"),
         "has no column \"q\""
@@ -451,8 +451,8 @@ TEST(misfitChannel, aFileWithoutNamesOrNumbersIsRefused)
 TEST(misfitChannel, aVariableInTheNameMustBeSetOrHaveADefault)
 {
     const std::string text("t_s,p_Pa\n0,1\n1,2\n2,5\n3,6\n");
-    expectSays(refusalOf(text, "file \"$NOT_SET/S1.csv\";"), "export NOT_SET=");
-    expectSays(refusalOf(text, "file \"${HOME}${NOT_SET}/S1.csv\";"), "export NOT_SET=");
+    expectHolds(refusalOf(text, "file \"$NOT_SET/S1.csv\";"), "export NOT_SET=");
+    expectHolds(refusalOf(text, "file \"${HOME}${NOT_SET}/S1.csv\";"), "export NOT_SET=");
 
     files f;
     f.write("S1.csv", text);
@@ -463,15 +463,15 @@ TEST(misfitChannel, aVariableInTheNameMustBeSetOrHaveADefault)
 
 TEST(misfitChannel, unsortedTimesAreRefused)
 {
-    expectSays(refusalOf("t_s,p_Pa\n0,1\n2,2\n1,3\n"), "Line 4 of");
-    expectSays(refusalOf("t_s,p_Pa\n0,1\n2,2\n1,3\n"), "Sort the file");
+    expectHolds(refusalOf("t_s,p_Pa\n0,1\n2,2\n1,3\n"), "Line 4 of");
+    expectHolds(refusalOf("t_s,p_Pa\n0,1\n2,2\n1,3\n"), "Sort the file");
 }
 
 
 TEST(misfitChannel, duplicateTimesAreRefusedOrAveraged)
 {
     const std::string text("t_s,p_Pa\n0,1\n1,2\n1,4\n2,5\n3,6\n");
-    expectSays(refusalOf(text), "duplicates average;");
+    expectHolds(refusalOf(text), "duplicates average;");
 
     const channel c(channelOf(text, "file \"S1.csv\"; duplicates average;"));
     ASSERT_EQ(c.samples.size, 4);
@@ -481,13 +481,13 @@ TEST(misfitChannel, duplicateTimesAreRefusedOrAveraged)
 
 TEST(misfitChannel, anUnknownKeyOrQuantityIsRefused)
 {
-    expectSays(refusalOf("", "filee \"S1.csv\";"), "filee");
+    expectHolds(refusalOf("", "filee \"S1.csv\";"), "filee");
     IStringStream is
     (
         "quantity stress; uncertainty 1; simulated { type probe; }"
     );
     const dictionary dict(is);
-    expectSays
+    expectHolds
     (
         refusal([&]() { channel("S1", dict, purpose::calibration, "", 40); }),
         "Valid quantities"

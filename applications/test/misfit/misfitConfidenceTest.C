@@ -4,7 +4,7 @@
 
 #include "confidenceFit.H"
 #include "logistic.H"
-#include "saidDuring.H"
+#include "terminalOutput.H"
 #include "temporaryFolder.H"
 #include "textFile.H"
 #include "verdictKind.H"
@@ -62,7 +62,7 @@ std::string changedTable(const std::string& from, const std::string& to)
 }
 
 
-//- What is said of a table that holds that
+//- The error for a table with this text
 std::string refusalOfTable(const std::string& text)
 {
     const temporaryFolder scratch;
@@ -266,9 +266,9 @@ TEST(misfitConfidence, aTableThatIsMissingOrBrokenIsAnErrorThatSaysWhatToDo)
     };
     for (const auto& b : broken)
     {
-        const std::string said(refusalOfTable(b.first));
-        EXPECT_NE(said.find(b.second), said.npos) << said;
-        EXPECT_NE(said.find("misfitConceal -calibrate"), said.npos) << said;
+        const std::string output(refusalOfTable(b.first));
+        EXPECT_NE(output.find(b.second), output.npos) << output;
+        EXPECT_NE(output.find("misfitConceal -calibrate"), output.npos) << output;
     }
 }
 
@@ -317,11 +317,11 @@ TEST(misfitRules, aWrongOneIsRefused)
     );
     for (const char* wrong : {"adequacy 1.5;", "largestUncalibrated 1;"})
     {
-        const std::string said
+        const std::string output
         (
             refusal([wrong]{ settings s(dictionaryOf(wrong)); })
         );
-        EXPECT_NE(said.find("probabilities between 0 and 1"), said.npos) << said;
+        EXPECT_NE(output.find("probabilities between 0 and 1"), output.npos) << output;
     }
 }
 
@@ -330,7 +330,7 @@ TEST(misfitRules, whereTheyAreNotFoundItSaysWhatToDo)
 {
     const string before(getEnv("INTERDEMFOAM_DIR"));
     setEnv("INTERDEMFOAM_DIR", "/none", true);
-    const std::string said(refusal([]{ settings s; }));
+    const std::string output(refusal([]{ settings s; }));
     setEnv("INTERDEMFOAM_DIR", before, true);
-    EXPECT_NE(said.find("source etc/bashrc"), said.npos) << said;
+    EXPECT_NE(output.find("source etc/bashrc"), output.npos) << output;
 }

@@ -166,12 +166,12 @@ TEST(misfitCorrection, readsWhatWaterWasMet)
 
 TEST(misfitCorrection, badInputIsToldWithWhatToDo)
 {
-    expectSays
+    expectHolds
     (
         errorOf("push { stations (2 1); times (1 2); size 1; }"),
         "stations 2(2 1) of the correction must rise"
     );
-    expectSays(errorOf("push { stations (1); times (1 2); size 1; }"), "reach");
+    expectHolds(errorOf("push { stations (1); times (1 2); size 1; }"), "reach");
     for
     (
         const char* low :
@@ -181,7 +181,7 @@ TEST(misfitCorrection, badInputIsToldWithWhatToDo)
         }
     )
     {
-        expectSays(errorOf(low), "must be above zero");
+        expectHolds(errorOf(low), "must be above zero");
     }
-    expectSays(errorOf("pull { }"), "pull");
+    expectHolds(errorOf("pull { }"), "pull");
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What an answer must pass before it is given: each gate, one by one.
 
-#include "saidDuring.H"
+#include "terminalOutput.H"
 #include "testNumber.H"
 #include "worldDiagnosis.H"
 
@@ -29,7 +29,7 @@ wordList failed(const finding& f)
 }
 
 
-//- The first gate of that name; one without a name if it was not asked
+//- The first gate of that name; one without a name if it was not tested
 gate gateOf(const finding& f, const word& name)
 {
     for (const gate& g : f.gates)
@@ -107,9 +107,9 @@ TEST(misfitGates, whatIsNotMatchedYetIsSaid)
     ASSERT_EQ(f.verdict, verdictKind::named);
     for (const heldOut& h : f.held)
     {
-        const bool said =
+        const bool output =
             describe(f).find("not yet match " + describe(h)) != std::string::npos;
-        EXPECT_EQ(said, h.squareAfter > h.limitOfMatch) << describe(f);
+        EXPECT_EQ(output, h.squareAfter > h.limitOfMatch) << describe(f);
     }
     EXPECT_GT(f.held[0].squareAfter, f.held[0].limitOfMatch);
 }
@@ -451,7 +451,7 @@ TEST(misfitGates, oneThatWasNeverAskedHasNotPassed)
     EXPECT_TRUE(gates.passed(gateKind::degradesHeldOut));
     EXPECT_NE
     (
-        refusal([&]{ gates.passed(gateKind::placebo); }).find("never asked"),
+        refusal([&]{ gates.passed(gateKind::placebo); }).find("never tested"),
         std::string::npos
     );
 }

@@ -4,7 +4,7 @@
 
 #include "fakeCase.H"
 #include "keptRuns.H"
-#include "saidDuring.H"
+#include "terminalOutput.H"
 
 #include <gtest/gtest.h>
 
@@ -88,9 +88,9 @@ TEST(misfitKeptRuns, itIsGoneOnWithWhereItWasStopped)
     // Only the file is left
     rmDir(c.folder()/"misfit");
     fakeRuns more(c, slopes);
-    const std::string said(saidDuring([&]() { EXPECT_EQ(more.grown().size(), 5); }));
-    expectSays(said, "runs.txt has 3 of 5 runs");
-    expectSays(said, "runs.txt has 5 of 5 runs");
+    const std::string output(outputDuring([&]() { EXPECT_EQ(more.grown().size(), 5); }));
+    expectHolds(output, "runs.txt has 3 of 5 runs");
+    expectHolds(output, "runs.txt has 5 of 5 runs");
     EXPECT_EQ(c.count(), 5);
     EXPECT_EQ(more.text(), all.text());
 
@@ -104,11 +104,11 @@ TEST(misfitKeptRuns, eachBatchIsInTheFileBeforeTheNextBegins)
     const fakeCase c;
     c.write("full", "");
     fakeRuns runs(c, {1, 2, 3, 6, 4});
-    const std::string said
+    const std::string output
     (
-        saidDuring([&]() { expectSays(refusal([&]() { runs.grown(); }), "misfit/runs"); })
+        outputDuring([&]() { expectHolds(refusal([&]() { runs.grown(); }), "misfit/runs"); })
     );
-    expectSays(said, "has 2 of 5 runs, about 1 min for the 3 to do");
+    expectHolds(output, "has 2 of 5 runs, about 1 min for the 3 to do");
     EXPECT_EQ(runs.kept.read().size(), 2);
 }
 
@@ -121,9 +121,9 @@ TEST(misfitKeptRuns, aRunThatWasKilledOrOutOfTimeIsNoFailure)
     fakeRuns late(slow, {1, 8, 2}, "as now", "timeLimit 2; ");
     for (fakeRuns* runs : {&few, &late})
     {
-        expectSays(refusal([&]() { runs->grown(labelMax, 3); }), "has those that ended");
+        expectHolds(refusal([&]() { runs->grown(labelMax, 3); }), "has those that ended");
         EXPECT_EQ(runs->kept.read().size(), 2);
-        expectSaysNo(runs->text(), "failed");
+        expectLacks(runs->text(), "failed");
     }
 }
 
@@ -138,7 +138,7 @@ TEST(misfitKeptRuns, halfARunIsNotTakenForAWholeOne)
     for (auto size = text.size() - 1; size > second; --size)
     {
         writeWhole(runs.kept.file, text.substr(0, size));
-        expectSays(refusal([&]() { runs.kept.read(); }), "ends within a run");
+        expectHolds(refusal([&]() { runs.kept.read(); }), "ends within a run");
     }
     writeWhole(runs.kept.file, text.substr(0, second));
     EXPECT_EQ(runs.kept.read().size(), 1);
@@ -149,7 +149,7 @@ TEST(misfitKeptRuns, runsOfOtherFormulasAreRefused)
 {
     const fakeCase c;
     fakeRuns(c, {1, 2, 3}).grown(2);
-    expectSays(refusal([&]() { fakeRuns(c, {1, 2}, "before").grown(); }), "other formulas");
+    expectHolds(refusal([&]() { fakeRuns(c, {1, 2}, "before").grown(); }), "other formulas");
     EXPECT_EQ(c.count(), 2);
 }
 

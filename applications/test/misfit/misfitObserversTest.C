@@ -3,7 +3,7 @@
 // before the first.
 
 #include "fakeCase.H"
-#include "saidDuring.H"
+#include "terminalOutput.H"
 #include "testMesh.H"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ TEST(misfitObservers, aRunThatEndsTooEarlyIsNoPrediction)
     const fakeCase c;
     c.write("r.csv", "t_s,y_m\n0,0\n1,2\n2,4\n3,6\n");
     c.write("system/controlDict", "endTime 3;\n");
-    expectSays(once(c, {withSlope(2)})[0].failure, "recorded until 3");
+    expectHolds(once(c, {withSlope(2)})[0].failure, "recorded until 3");
 }
 
 
@@ -46,7 +46,7 @@ TEST(misfitObservers, commasMayStandBetweenTheNumbersOfATable)
 
 TEST(misfitObservers, aRowThatIsShorterThanItsHeadingIsToldByItsLine)
 {
-    expectSays
+    expectHolds
     (
         refusal([]() { whereItWrites("0\\n1 2\\n2 4\\n"); }), "Line 2 of the table"
     );
@@ -82,7 +82,7 @@ TEST(misfitObservers, aRunThatBeginsTooLateIsNoPrediction)
             }
             else
             {
-                expectSays
+                expectHolds
                 (
                     failure, "begins at 1 and the channel y was recorded from 0"
                 );
@@ -108,7 +108,7 @@ TEST(misfitObservers, aProbeOutsideTheMeshIsRefused)
     EXPECT_EQ(probe("(0.5 0.5 0.5)"), "nothing");
     EXPECT_EQ(probe("(1 0.5 0.3)"), "nothing");
     EXPECT_EQ(probe("(1.05 0.5 0.3)"), "nothing");
-    expectSays(probe("(1.6 0.5 0.3)"), "S1 at");
+    expectHolds(probe("(1.6 0.5 0.3)"), "S1 at");
 }
 
 
@@ -137,7 +137,7 @@ TEST(misfitObservers, aRunThatBeganAnewReplacesWhatItHadWrittenFromThereOn)
     EXPECT_EQ(s.y, scalarList({3, 99, 159, 19}));
 
     c.write("postProcessing/S1/10/U", "# Probe 0 (0 0 0)  # Not Found\n10 (0 1 0)\n");
-    expectSays
+    expectHolds
     (
         refusal([&]() { observer(recorded).read(c.folder()); }), "outside the mesh"
     );
@@ -216,7 +216,7 @@ TEST(misfitObservers, aProfileIsTheShareOfWaterInEachColumnOfCellsTimesTheHeight
     EXPECT_NEAR(s.y[1], 0.4*0.5, 1e-12);
 
     const channel low(profile("0"));
-    expectSays(refusal([&](){ observer o(low); }), "height");
+    expectHolds(refusal([&](){ observer o(low); }), "height");
 }
 
 
@@ -225,20 +225,20 @@ TEST(misfitObservers, whatAnyRunCannotHaveIsToldBeforeTheFirst)
     const fakeCase c;
     const fileName runs(c.folder()/"misfit"/"runs");
 
-    // In the file that a person mends, not in a copy
+    // The error names the file that a person edits, not a copy
     const std::string message(refusalWith(c, "a/lift/model", "a/lift/modle"));
-    expectSays(message, c.folder()/"constant/model");
-    expectSays(message, "no entry a/lift/modle");
+    expectHolds(message, c.folder()/"constant/model");
+    expectHolds(message, "no entry a/lift/modle");
     EXPECT_TRUE(readDir(runs, fileName::DIRECTORY).empty());
 
-    expectSays
+    expectHolds
     (
         refusalWith(c, "\"true\"", "\"noSuchMesher\""), "no program 'noSuchMesher"
     );
 
     // A file that cannot be read has its name and line, and is the one in 0.orig
     c.write("0.orig/U", "internalField\n{\n    uniform\n");
-    expectSays
+    expectHolds
     (
         refusalWith(c, "constant/model", "0/U"), c.folder() + "/0.orig/U at line "
     );
@@ -255,9 +255,9 @@ TEST(misfitObservers, aCaseThatEndsBeforeItsRecordingIsToldOfBeforeTheFirst)
     fakePredictor p(c);
     const std::string message
     (
-        saidDuring([&]() { p.predict.predict({withSlope(2), withSlope(3)}); })
+        outputDuring([&]() { p.predict.predict({withSlope(2), withSlope(3)}); })
     );
-    expectSays(message, "experiment A is 1.5 s");
+    expectHolds(message, "experiment A is 1.5 s");
     EXPECT_EQ(message.find("is 1.5 s"), message.rfind("is 1.5 s")) << message;
 
     // A command may have set another end
@@ -270,9 +270,9 @@ TEST(misfitObservers, aCaseThatEndsBeforeItsRecordingIsToldOfBeforeTheFirst)
         "system/controlDict", "#include \"more\"\nendTime $deltaT;\n"
     );
     fakePredictor expanded(other);
-    expectSays
+    expectHolds
     (
-        saidDuring([&]() { expanded.predict.predict({withSlope(2)}); }),
+        outputDuring([&]() { expanded.predict.predict({withSlope(2)}); }),
         "experiment A is 1 s"
     );
 
@@ -280,11 +280,11 @@ TEST(misfitObservers, aCaseThatEndsBeforeItsRecordingIsToldOfBeforeTheFirst)
     const fakeCase word;
     word.write("system/controlDict", "#include \"more\"\nendTime END;\n");
     fakePredictor later(word);
-    const std::string said
+    const std::string output
     (
-        saidDuring([&]() { later.predict.predict({withSlope(2)}); })
+        outputDuring([&]() { later.predict.predict({withSlope(2)}); })
     );
-    EXPECT_EQ(said.find("endTime"), std::string::npos) << said;
+    EXPECT_EQ(output.find("endTime"), std::string::npos) << output;
     EXPECT_EQ(word.count(), 1);
 }
 
@@ -311,14 +311,14 @@ TEST(misfitObservers, otherWaterInAnotherMeshIsToldOfOnce)
         );
         runState finer(withSlope(2));
         finer.resolution = "mesh";
-        return saidDuring
+        return outputDuring
         (
             [&]() { p.predict.predict({withSlope(2), finer, finer}); }
         );
     };
-    expectSaysNo(message("0.301"), "more water");
+    expectLacks(message("0.301"), "more water");
     const std::string more(message("0.306"));
-    expectSays(more, "2 % more water");
+    expectHolds(more, "2 % more water");
     EXPECT_EQ(more.find("more water"), more.rfind("more water")) << more;
 }
 
@@ -381,7 +381,7 @@ TEST(misfitObservers, aChannelThatNoTableMatchesIsRefused)
     const fakeCase c;
     const auto expect = [&c](const char* a, const char* b, const char* words)
     {
-        expectSays(refusalWith(c, a, b), words);
+        expectHolds(refusalWith(c, a, b), words);
     };
     expect("out.dat", "no.dat", "wrote no numbers");
     expect("function        out", "function ou", "wrote nothing");

@@ -3,7 +3,7 @@
 
 #include "recordedFiles.H"
 #include "recordings.H"
-#include "saidDuring.H"
+#include "terminalOutput.H"
 
 #include "IStringStream.H"
 
@@ -43,7 +43,7 @@ struct twoFiles
 };
 
 
-//- What is said of a whole dictionary, with good files a.csv and b.csv
+//- The error for a whole dictionary, with good files a.csv and b.csv
 std::string refusalOfAll(const std::string& entries, const label unknowns = 0)
 {
     const twoFiles f(entries);
@@ -108,12 +108,12 @@ TEST(misfitRecordings, whatIsSealedIsNotUsedWhereItsExperimentGates)
 TEST(misfitRecordings, heldOutDataListedTwiceIsRefused)
 {
     const std::string twice("heldOut lists S2 twice");
-    expectSays(refusalOfAll(twoChannels + "heldOut { validation (S2 S2); }"), twice);
-    expectSays
+    expectHolds(refusalOfAll(twoChannels + "heldOut { validation (S2 S2); }"), twice);
+    expectHolds
     (
         refusalOfAll(twoChannels + "heldOut { validation (S2); test (S2); }"), twice
     );
-    expectSays
+    expectHolds
     (
         refusalOfAll
         (
@@ -126,7 +126,7 @@ TEST(misfitRecordings, heldOutDataListedTwiceIsRefused)
 
 TEST(misfitRecordings, aRepeatThatIsHeldOutElsewhereIsRefused)
 {
-    expectSays
+    expectHolds
     (
         refusalOfAll
         (
@@ -155,13 +155,13 @@ TEST(misfitRecordings, aPartOfHeldOutDataIsRefusedTwoPartsOfAFileAreNot)
         return refusal([&]() { f.read(); });
     };
     EXPECT_EQ(parts("0 2.5", "2.5 5"), "nothing");
-    expectSays(parts("0 3.5", "1.5 5"), "have some of the same numbers");
+    expectHolds(parts("0 3.5", "1.5 5"), "have some of the same numbers");
 }
 
 
 TEST(misfitRecordings, whatIsHeldOutMustBeRecorded)
 {
-    expectSays
+    expectHolds
     (
         refusalOfAll
         (
@@ -169,7 +169,7 @@ TEST(misfitRecordings, whatIsHeldOutMustBeRecorded)
         ),
         "has no recording"
     );
-    expectSays
+    expectHolds
     (
         refusalOfAll(twoChannels + "experiments { A { } B { use validation; } }"),
         "experiment B has no recorded channel"
@@ -201,20 +201,20 @@ TEST(misfitRecordings, theSameDataFittedTwiceAreToldOf)
 {
     const std::string same("t_s,p_Pa\n0,1\n1,2\n2,4\n");
     const twoFiles f(twoChannels, same, same);
-    const std::string said(saidDuring([&]() { EXPECT_NO_THROW(f.read()); }));
-    expectSays(said, "The channels S1 and S2 are the same numbers");
-    expectSays(said, "count twice");
+    const std::string output(outputDuring([&]() { EXPECT_NO_THROW(f.read()); }));
+    expectHolds(output, "The channels S1 and S2 are the same numbers");
+    expectHolds(output, "count twice");
 }
 
 
 TEST(misfitRecordings, anUnknownNameIsRefused)
 {
-    expectSays
+    expectHolds
     (
         refusalOfAll(twoChannels + "heldOut { validation (S3); }"),
         "which is no channel"
     );
-    expectSays
+    expectHolds
     (
         refusalOfAll(twoChannels + "experiments { B { } }"),
         "Experiments: B"
@@ -224,26 +224,26 @@ TEST(misfitRecordings, anUnknownNameIsRefused)
 
 TEST(misfitRecordings, aFormerNameOfAUseIsRefusedWithThePresentOne)
 {
-    const auto said = [](const std::string& use)
+    const auto output = [](const std::string& use)
     {
         return refusalOfAll(twoChannels + use);
     };
-    expectSays(said("heldOut { gate (S2); }"), "is called validation now");
-    expectSays(said("heldOut { score (S2); }"), "is called test now");
-    expectSays(said("experiments { A { use fit; } }"), "is called calibration now");
+    expectHolds(output("heldOut { gate (S2); }"), "is called validation now");
+    expectHolds(output("heldOut { score (S2); }"), "is called test now");
+    expectHolds(output("experiments { A { use fit; } }"), "is called calibration now");
 }
 
 
 TEST(misfitRecordings, fewerSamplesThanUnknownsAreRefused)
 {
-    expectSays(refusalOfAll(twoChannels, 7), "6 samples for 7 unknowns");
+    expectHolds(refusalOfAll(twoChannels, 7), "6 samples for 7 unknowns");
     EXPECT_EQ(refusalOfAll(twoChannels, 6), "nothing");
 }
 
 
 TEST(misfitRecordings, nothingLeftToFitIsRefused)
 {
-    expectSays
+    expectHolds
     (
         refusalOfAll(twoChannels + "heldOut { validation (S1); test (S2); }"),
         "No recorded channel is left to calibrate with"

@@ -140,7 +140,9 @@ TEST(misfitReport, theRecordIsReadableByPrograms)
     EXPECT_EQ(j["words"], describe(found()));
     EXPECT_EQ(j["located"][0]["channel"], "P1");
     EXPECT_EQ(j["gates"][0]["name"], "detection");
-    EXPECT_EQ(j["gates"][0]["value"], "0.001");
+    EXPECT_EQ(j["gates"][0]["value"], 0.001);
+    EXPECT_EQ(j["gates"][0]["bound"], "below");
+    EXPECT_TRUE(j["gates"][0]["limit"].is_number());
     EXPECT_EQ(j["gates"][0]["result"], "passed");
     EXPECT_EQ(j["heldOut"][0]["meanSquareAfter"], 1);
     EXPECT_NEAR(j["uncertainty"]["P1"]["whole"], 20, 1e-9);
@@ -174,7 +176,7 @@ TEST(misfitReport, theRecordIsOfItsSchemaAndReadsBackAsItWasFound)
         ASSERT_TRUE(j.contains(key.first)) << key.first;
         EXPECT_EQ(j[key.first].type(), key.second) << key.first;
     }
-    EXPECT_EQ(j["schema"], 4);
+    EXPECT_EQ(j["schema"], 5);
     EXPECT_EQ(verdictNames[word(j["verdict"].get<std::string>())], f.verdict);
     EXPECT_EQ(j["names"].get<std::vector<std::string>>().front(), f.names[0]);
     EXPECT_EQ(j["confidence"], f.confidence);
@@ -344,18 +346,18 @@ TEST(misfitReport, aGateThatCouldNotBeAskedIsToldFromOneWithNothingToAsk)
     f.gates.add(notAsked(gateKind::adequacy));
     f.gates.add(notAsked(gateKind::stability));
     const std::string known(reportHtml(f, today(), {}));
-    EXPECT_TRUE(says(known, "nothing to ask"));
-    EXPECT_FALSE(says(known, "not asked"));
+    EXPECT_TRUE(says(known, "nothing to test"));
+    EXPECT_FALSE(says(known, "not tested"));
 
     judged(f).unknown = true;
     const std::string partly(reportHtml(f, today(), {}));
-    EXPECT_TRUE(says(partly, "not asked: the answer has something unknown"));
-    EXPECT_TRUE(says(partly, "nothing to ask"));
+    EXPECT_TRUE(says(partly, "not tested: the answer has something unknown"));
+    EXPECT_TRUE(says(partly, "nothing to test"));
 
     judged(f).mechanisms.clear();
     const std::string unknown(reportHtml(f, today(), {}));
-    EXPECT_TRUE(says(unknown, "not asked: nothing that is known is judged"));
-    EXPECT_FALSE(says(unknown, "nothing to ask"));
+    EXPECT_TRUE(says(unknown, "not tested: the answer has no known cause"));
+    EXPECT_FALSE(says(unknown, "nothing to test"));
 }
 
 
@@ -368,7 +370,7 @@ TEST(misfitReport, noNumberIsTooLargeToRead)
     far.what.mechanisms.clear();
     far.score = 1.3e297;
     f.explained.all().push_back(far);
-    f.correction.asked = true;
+    f.correction.isTried = true;
     f.correction.held = f.held;
     const std::string page(reportHtml(f, today(), {}));
     EXPECT_FALSE(says(page, "e+"));
@@ -391,7 +393,7 @@ TEST(misfitReport, aShareThatRoundsToNoughtHasNoSign)
     finding f(found());
     f.held[0].squareBefore = 10;
     f.held[0].squareAfter = 10.02;
-    f.correction.asked = true;
+    f.correction.isTried = true;
     f.correction.held = f.held;
     const std::string page(reportHtml(f, today(), {}));
     EXPECT_TRUE(says(page, ">0 %<"));

@@ -3,7 +3,7 @@
 // a result.
 
 #include "fakeCase.H"
-#include "saidDuring.H"
+#include "terminalOutput.H"
 
 #include "OSspecific.H"
 
@@ -60,7 +60,7 @@ TEST(misfitRuns, aCaseThatIsCutIntoOtherPartsThanRanksIsRefused)
 {
     const fakeCase c;
     c.write("system/decomposeParDict", "numberOfSubdomains 4; method scotch;\n");
-    expectSays
+    expectHolds
     (
         refusal([&]() { const fakePredictor p(c, "ranks 2; "); }),
         "into 4 parts, and ranks"
@@ -108,7 +108,7 @@ TEST(misfitRuns, aCaseIsCutAsItSaysItself)
             )
         );
         EXPECT_EQ(cut == own, has) << cut;
-        expectSays(cut, "numberOfSubdomains 2;");
+        expectHolds(cut, "numberOfSubdomains 2;");
     }
 }
 
@@ -122,17 +122,17 @@ TEST(misfitRuns, runsOfOtherProgramsAreNotUsedWithoutAWord)
     setEnv("FOAM_USER_LIBBIN", c.folder()/"lib", true);
     const auto message = [&](const scalar slope = 2)
     {
-        return saidDuring
+        return outputDuring
         (
             [&]() { EXPECT_TRUE(once(c, {withSlope(slope)}).first().ok()); }
         );
     };
     const char* changed = "libraries changed";
-    expectSaysNo(message(), changed);
-    expectSaysNo(message(), changed);
+    expectLacks(message(), changed);
+    expectLacks(message(), changed);
     c.write("lib/libmine.so", "two");
-    expectSaysNo(message(3), changed);
-    expectSays(message(), changed);
+    expectLacks(message(3), changed);
+    expectHolds(message(), changed);
     setEnv("FOAM_USER_LIBBIN", before, true);
 }
 
@@ -141,10 +141,10 @@ TEST(misfitRuns, theTimeThatIsLeftIsThatOfTheseRunsAndNotToldAfterTheLast)
 {
     const fakeCase c;
     fakePredictor ask(c, "jobs 1; ");
-    const std::string said(saidDuring([&]() { ask({withSlope(1), withSlope(2)}); }));
-    expectSays(said, "1 of 2 runs, about 0 min");
-    expectSays(said, "s left for these\n");
-    expectSays(said, "2 of 2 runs\n");
+    const std::string output(outputDuring([&]() { ask({withSlope(1), withSlope(2)}); }));
+    expectHolds(output, "1 of 2 runs, about 0 min");
+    expectHolds(output, "s left for these\n");
+    expectHolds(output, "2 of 2 runs\n");
 }
 
 
@@ -161,7 +161,7 @@ TEST(misfitRuns, aRunThatIsStoppedTellsThatItIsGoneOnWith)
             " timeout 3 \"$INTERDEMFOAM_DIR/etc/misfitRun\" one"
         );
     };
-    expectSays(saidDuring(stop), "one is stopped; the next call goes on with it");
+    expectHolds(outputDuring(stop), "one is stopped; the next call goes on with it");
     EXPECT_FALSE(isFile(c.folder()/"one/finished"));
 }
 
@@ -171,7 +171,7 @@ TEST(misfitRuns, aCrashIsKeptWithItsReason)
     const fakeCase c;
     const auto p(once(c, {withSlope(9), withSlope(2)}));
     EXPECT_TRUE(p[1].ok());
-    expectSays(p[0].failure, "time step is too long");
+    expectHolds(p[0].failure, "time step is too long");
 }
 
 
@@ -182,19 +182,19 @@ TEST(misfitRuns, whatFailedIsTriedOnceMoreByANewCallOnly)
     {
         fakePredictor first(c);
         first({withSlope(9), withSlope(2)});
-        const std::string said(saidDuring([&]() { first({withSlope(9)}); }));
-        expectSaysNo(said, again);
+        const std::string output(outputDuring([&]() { first({withSlope(9)}); }));
+        expectLacks(output, again);
         EXPECT_EQ(c.count(), 2);
     }
 
     const auto callAnew = [&]()
     {
         const prediction p(once(c, {withSlope(9), withSlope(2)})[0]);
-        expectSays(p.failure, "time step is too long");
+        expectHolds(p.failure, "time step is too long");
     };
-    expectSays(saidDuring(callAnew), again);
+    expectHolds(outputDuring(callAnew), again);
     EXPECT_EQ(c.count(), 3);
-    expectSaysNo(saidDuring(callAnew), again);
+    expectLacks(outputDuring(callAnew), again);
     EXPECT_EQ(c.count(), 3);
 }
 
@@ -235,7 +235,7 @@ TEST(misfitRuns, aRunWhoseEndCouldNotBeWrittenIsNoResult)
     // As on a full disk
     const fakeCase c;
     c.write("full", "");
-    expectSays
+    expectHolds
     (
         refusal([&]() { once(c, {withSlope(2), withSlope(6)}); }), "misfit/runs"
     );
@@ -274,14 +274,14 @@ TEST(misfitRuns, aCaseThatIsEditedMeanwhileIsNotRun)
         c.write("constant/script", before + "run 1\n");
 
         const std::string message(refusal([&]() { f({withSlope(3)}); }));
-        expectSays(message, "was changed");
-        expectSays(message, "constant/script");
-        expectSaysNo(message, "constant/model");
+        expectHolds(message, "was changed");
+        expectHolds(message, "constant/script");
+        expectLacks(message, "constant/model");
         const auto makeCorrected = [&]()
         {
             f.predict.makeCase(withSlope(3), c.folder()/"misfit/corrected");
         };
-        expectSays(refusal(makeCorrected), "was changed");
+        expectHolds(refusal(makeCorrected), "was changed");
         EXPECT_EQ(c.count(), 1);
     }
 
@@ -297,9 +297,9 @@ TEST(misfitRuns, aCaseThatIsEditedMeanwhileIsNotRun)
 TEST(misfitRuns, aScriptOutsideTheCaseThatChangedIsToldOf)
 {
     const fakeCase c;
-    const auto said = [&](const std::string& words)
+    const auto output = [&](const std::string& words)
     {
-        return saidDuring
+        return outputDuring
         (
             [&]()
             {
@@ -314,10 +314,10 @@ TEST(misfitRuns, aScriptOutsideTheCaseThatChangedIsToldOf)
     for (const std::string& folder : {c.folder() + "/", std::string("../../../../")})
     {
         c.write("prepare", "true\n");
-        said("-e " + folder + "prepare");
-        expectSaysNo(said("-e " + folder + "prepare"), "changed");
+        output("-e " + folder + "prepare");
+        expectLacks(output("-e " + folder + "prepare"), "changed");
         c.write("prepare", "echo\n");
-        expectSays(said("-e " + folder + "prepare"), "changed");
+        expectHolds(output("-e " + folder + "prepare"), "changed");
     }
 }
 
@@ -335,7 +335,7 @@ TEST(misfitRuns, aRunThatCannotBeReadHasFailed)
     );
     const auto p(once(c, {withSlope(2), withSlope(3)}));
     EXPECT_TRUE(p[0].ok());
-    expectSays(p[1].failure, "no column");
+    expectHolds(p[1].failure, "no column");
 }
 
 
@@ -367,7 +367,7 @@ TEST(misfitRuns, theCaseOfAStateIsMadeForAPerson)
     mkDir(target);
     c.write("misfit/corrected/old", "");
     predict.predict.makeCase(withSlope(3, 0.5), target);
-    expectSays(contentOf(target/"constant/model"), "strength        0.5;");
+    expectHolds(contentOf(target/"constant/model"), "strength        0.5;");
     EXPECT_TRUE(isFile(target/"0/U"));
     EXPECT_FALSE(isFile(target/"old"));
     EXPECT_EQ(c.count(), 0);
@@ -383,7 +383,7 @@ TEST(misfitRuns, aRunBeyondItsTimeHasFailed)
         return predict({withSlope(8)})[0];
     };
     const prediction p(within("1"));
-    expectSays(p.failure, "longer than 1 s");
+    expectHolds(p.failure, "longer than 1 s");
 
     // The same limit would end it again, a longer one may not
     EXPECT_FALSE(within("1").ok());

@@ -188,7 +188,7 @@ TEST(misfitScoring, numbersAloneNameAMechanism)
 
 TEST(misfitScoring, theBetterOfTwoMinimaIsFound)
 {
-    // Two numbers: one is the same at 0.15 and 0.95, the other tells them apart
+    // Two numbers: one is the same at 0.15 and 0.95, the other distinguishes them
     stacked data(numbers(scalarList(2, 1.0)));
     const auto at = [](const scalar strength)
     {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which fault of a sensor is said: sensors that show nothing, or not all, beside
-// those that show it wrongly.
+// Which fault of a sensor is reported: sensors that show nothing, or only a part, and
+// sensors that show wrong values.
 
 #include "worldDiagnosis.H"
 

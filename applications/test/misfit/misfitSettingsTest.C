@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Keywords of system/misfitDict that have another name now.
 
-#include "saidDuring.H"
+#include "terminalOutput.H"
 #include "settings.H"
 
 #include "IStringStream.H"
@@ -12,14 +12,14 @@ using namespace Foam::misfit;
 namespace
 {
 
-//- What is said where a dictionary holds that
+//- The error for a dictionary with these entries
 std::string refusalOf(const std::string& entries)
 {
     return refusal([&]{ readSettings(dictionary(IStringStream(entries)())); });
 }
 
 
-//- Whether it is said that the old keyword is called the present one now
+//- True if the error names the present keyword in place of the old one
 bool isNamed(const std::string& entries, const std::string& present)
 {
     return
@@ -97,7 +97,7 @@ TEST(misfitSettings, aParameterIsKnownAsWellAsItWasMeasured)
     EXPECT_FALSE(read("").isMeasured);
     for (const char* wrong : {"(-0.1 0.1)", "(2.1 0.1)", "(1 0)", "(1 0.6)"})
     {
-        expectSays
+        expectHolds
         (
             refusal([&]{ read("measured " + std::string(wrong) + ";"); }),
             "within the bounds (0 3) and two deviations"
@@ -108,8 +108,8 @@ TEST(misfitSettings, aParameterIsKnownAsWellAsItWasMeasured)
 
 TEST(misfitSettings, chaosNeedsReplicatesToBeKnown)
 {
-    expectSays(refusalOf("chaotic yes; replicates 12;"), "give replicateChanges");
-    expectSays
+    expectHolds(refusalOf("chaotic yes; replicates 12;"), "give replicateChanges");
+    expectHolds
     (
         refusalOf("chaotic yes; replicateChanges (); replicates 2;"), "3 replicates or more"
     );
@@ -121,30 +121,30 @@ TEST(misfitSettings, anotherMeshHasReplicatesOnlyWhereRunsDifferByChance)
 {
     const std::string three("replicateChanges (); replicates 3; resolutionReplicates ");
     EXPECT_EQ(refusalOf("chaotic yes; " + three + "3;"), "nothing");
-    expectSays(refusalOf("chaotic yes; " + three + "4;"), "number of replicates, 3");
-    expectSays(refusalOf(three + "2;"), "without 'chaotic yes' give 1");
-    expectSays(refusalOf("resolutionReplicates 0;"), "give 1");
+    expectHolds(refusalOf("chaotic yes; " + three + "4;"), "number of replicates, 3");
+    expectHolds(refusalOf(three + "2;"), "without 'chaotic yes' give 1");
+    expectHolds(refusalOf("resolutionReplicates 0;"), "give 1");
 }
 
 
 TEST(misfitSettings, replicatesThatDoNothingOrTellNoSpreadAreWarnedOf)
 {
-    const auto said = [](const std::string& entries)
+    const auto output = [](const std::string& entries)
     {
-        return saidDuring
+        return outputDuring
         (
             [&]() { readSettings(dictionary(IStringStream(entries)())); }
         );
     };
-    const std::string one(said("replicateChanges (); replicates 1;"));
-    expectSays(one, "replicates is 1");
-    expectSays(one, "20 are advised");
-    const std::string idle(said("replicates 4;"));
-    expectSays(idle, "replicates is 4");
-    expectSays(idle, "give replicateChanges");
+    const std::string one(output("replicateChanges (); replicates 1;"));
+    expectHolds(one, "replicates is 1");
+    expectHolds(one, "20 are advised");
+    const std::string idle(output("replicates 4;"));
+    expectHolds(idle, "replicates is 4");
+    expectHolds(idle, "give replicateChanges");
 
     for (const char* right : {"", "replicates 1;", "replicateChanges (); replicates 20;"})
     {
-        expectSaysNo(said(right), "replicates is");
+        expectLacks(output(right), "replicates is");
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Answers that hang on a channel: what wins without it, and what is said of that.
+// Answers that depend on one channel: what wins without it, and how that is reported.
 
 #include "worldDiagnosis.H"
 

@@ -119,7 +119,7 @@ outcome outcomeOf(const mat& table, const vec& digits = roundings)
 }
 
 
-//- Arranges a column anew and expects that to be found
+//- Rearranges a column and expects the check to find it
 void expectFound(mat table, const int column, std::mt19937& random)
 {
     const auto all = factorial.arrangements();
@@ -187,7 +187,7 @@ TEST(misfitTable, tableWithoutARowForEachCombinationIsRefused)
     EXPECT_THROW(factorialTable{twice}, std::invalid_argument);
 
     // Row 3 is that of 10, 2, 0.5
-    const auto said = [](const mat& table)
+    const auto output = [](const mat& table)
     {
         try
         {
@@ -199,10 +199,10 @@ TEST(misfitTable, tableWithoutARowForEachCombinationIsRefused)
         }
         return std::string();
     };
-    EXPECT_NE(said(twice).find("; 10 2 0.5 has 0"), std::string::npos);
+    EXPECT_NE(output(twice).find("; 10 2 0.5 has 0"), std::string::npos);
     mat oneMore(28, 3);
     oneMore << factors, factors.row(4);
-    EXPECT_NE(said(oneMore).find("; 10 2 0.6 has 2"), std::string::npos);
+    EXPECT_NE(output(oneMore).find("; 10 2 0.6 has 2"), std::string::npos);
 }
 
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a case will not give for its channels, told before any run.
+// What a case will not write for its channels is reported before any run.
 
 #include "fakeCase.H"
 #include "numberTable.H"
@@ -11,8 +11,8 @@ using namespace Foam::misfit;
 namespace
 {
 
-//- What is said before any run, where a channel of the fake case has these words, and its
-//  controlDict those function objects
+//- The output before any run of the fake case, with these entries in a channel and
+//  these function objects in controlDict
 std::string saidBefore
 (
     const fakeCase& c,
@@ -27,7 +27,7 @@ std::string saidBefore
         " writeInterval 0.2; functions\n{\n#include \"tables\"\n}\n"
     );
     c.write("system/tables", functions);
-    return saidDuring
+    return outputDuring
     (
         [&]()
         {
@@ -43,16 +43,16 @@ std::string saidBefore
 TEST(misfitTables, aFunctionObjectThatIsNotThereIsTold)
 {
     const fakeCase c;
-    const std::string said(saidBefore(c, "", "outs { type x; } moved { type y; }"));
-    expectSays(said, "channel y");
-    expectSays(said, "function object out writes");
-    expectSays(said, "none of that name: outs moved");
+    const std::string output(saidBefore(c, "", "outs { type x; } moved { type y; }"));
+    expectHolds(output, "channel y");
+    expectHolds(output, "function object out writes");
+    expectHolds(output, "none of that name: outs moved");
     EXPECT_EQ(c.count(), 0);
 
-    expectSaysNo(saidBefore(c, "", "out { type x; }"), "function object");
+    expectLacks(saidBefore(c, "", "out { type x; }"), "function object");
 
     // The solver writes the table by itself
-    expectSaysNo(saidBefore(c, "", ""), "function object");
+    expectLacks(saidBefore(c, "", ""), "function object");
 }
 
 
@@ -61,12 +61,12 @@ TEST(misfitTables, aTimeAtWhichNothingIsWrittenIsTold)
     const fakeCase c;
     c.write("r.csv", "x_m,y_m\n0,0\n1,2\n2,4\n");
     const std::string writes("out { type x; writeControl writeTime; }");
-    const std::string said(saidBefore(c, "at 0.25;", writes));
-    expectSays(said, "channel y is at 0.25 s");
-    expectSays(said, "writes every 0.2 s: the nearest is 0.2 s");
-    expectSaysNo(saidBefore(c, "at 0.6;", writes), "the nearest");
-    expectSaysNo(saidBefore(c, "at 0.25;", "out { type x; }"), "the nearest");
-    expectSays
+    const std::string output(saidBefore(c, "at 0.25;", writes));
+    expectHolds(output, "channel y is at 0.25 s");
+    expectHolds(output, "writes every 0.2 s: the nearest is 0.2 s");
+    expectLacks(saidBefore(c, "at 0.6;", writes), "the nearest");
+    expectLacks(saidBefore(c, "at 0.25;", "out { type x; }"), "the nearest");
+    expectHolds
     (
         saidBefore
         (
@@ -75,7 +75,7 @@ TEST(misfitTables, aTimeAtWhichNothingIsWrittenIsTold)
         ),
         "every 0.1 s"
     );
-    expectSays(saidBefore(c, "at 3;", writes), "endTime of the experiment A is 2 s");
+    expectHolds(saidBefore(c, "at 3;", writes), "endTime of the experiment A is 2 s");
     EXPECT_EQ(c.count(), 0);
 }
 
@@ -94,7 +94,7 @@ TEST(misfitTables, aHeightThatIsMoreThanTheMeshIsRefused)
         return refusal([&](){ checkPlaces(m.mesh(), {observer(c)}, "A"); });
     };
     EXPECT_EQ(profile("1"), "nothing");
-    expectSays(profile("400"), "S1 has the height 400 m, more than the diagonal of the mesh");
+    expectHolds(profile("400"), "S1 has the height 400 m, more than the diagonal of the mesh");
 }
 
 
@@ -107,5 +107,5 @@ TEST(misfitTables, aNameWithoutItsQuotesIsNotTakenForANumber)
     EXPECT_EQ(column("column 3;"), "3");
     EXPECT_EQ(column("column \"1:zz\";"), "1:zz");
     EXPECT_EQ(column("file f;"), "2");
-    expectSays(refusal([&]() { column("column 1:zz;"); }), "needs quotes");
+    expectHolds(refusal([&]() { column("column 1:zz;"); }), "needs quotes");
 }

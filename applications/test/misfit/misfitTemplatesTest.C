@@ -2,7 +2,7 @@
 // Templates of etc/misfit that somebody has changed, and has changed wrongly.
 
 #include "record.H"
-#include "saidDuring.H"
+#include "terminalOutput.H"
 #include "temporaryFolder.H"
 #include "textFile.H"
 
@@ -25,12 +25,12 @@ std::string pageFrom(const std::string& text)
     const string before(getEnv("INTERDEMFOAM_DIR"));
     setEnv("INTERDEMFOAM_DIR", folder, true);
     std::string page;
-    const std::string said
+    const std::string output
     (
         refusal([&]() { page = filled("page.html", {{"a", "it"}, {"b", true}}); })
     );
     setEnv("INTERDEMFOAM_DIR", before, true);
-    return said == "nothing" ? page : said;
+    return output == "nothing" ? page : output;
 }
 
 } // End anonymous namespace
@@ -50,9 +50,9 @@ TEST(misfitTemplates, oneWithAFaultIsRefusedByFileAndLine)
         {"one\ntwo {{#b}}say {{a}}\n", "one\ntwo {{/b}}\n", "one\ntwo {{a\n"}
     )
     {
-        const std::string said(pageFrom(wrong));
-        expectSays(said, "etc/misfit/page.html");
-        expectSays(said, "Line 2 of");
-        expectSays(said, "Mend it");
+        const std::string output(pageFrom(wrong));
+        expectHolds(output, "etc/misfit/page.html");
+        expectHolds(output, "Line 2 of");
+        expectHolds(output, "Correct it");
     }
 }

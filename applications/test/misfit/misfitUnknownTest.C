@@ -310,15 +310,15 @@ TEST(misfitUnknown, noiseAloneLeavesTheCorrectionZero)
     for (label seed = 700; seed < 720; ++seed)
     {
         correctedWorld w({}, {}, seed);
-        study asked(w, set);
-        asked.addRuns(parameterDesign(asked.bounds));
-        asked.build();
+        study explained(w, set);
+        explained.addRuns(parameterDesign(explained.bounds));
+        explained.build();
         label runs = 0;
         const correctionFound c
         (
             fitCorrection
             (
-                asked, asked.calibration.score().base(), {}, runs
+                explained, explained.calibration.score().base(), {}, runs
             )
         );
         EXPECT_TRUE(c.elements.empty()) << describe(c);

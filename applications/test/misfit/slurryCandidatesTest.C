@@ -148,7 +148,7 @@ public:
     {
         const dimensionedVector g("g", dimAcceleration, vector(drive, 0, 0));
         // Hundreds of solutions, none worth a line
-        const int told = SolverPerformance<vector>::debug;
+        const int level = SolverPerformance<vector>::debug;
         SolverPerformance<vector>::debug = 0;
 
         // At rest and without a yield stress it would have no viscosity at all
@@ -164,7 +164,7 @@ public:
                 max(mag(U_->primitiveField() - before))
                /max(mag(U_->primitiveField()));
         }
-        SolverPerformance<vector>::debug = told;
+        SolverPerformance<vector>::debug = level;
         EXPECT_LE(change, 1e-9);
         return U_->primitiveField().component(vector::X);
     }

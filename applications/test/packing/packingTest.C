@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Packings: no overlaps, the masses asked for, the same from the same seed.
+// Packings: no overlaps, the requested masses, the same packing from the same seed.
 
 #include "densePacking.H"
 #include "grainContacts.H"

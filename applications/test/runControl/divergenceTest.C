@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How a flow that has diverged is seen.
 
-#include "../solvers/interDEMFoam/divergence.H"
+#include "divergence.H"
 
 #include <gtest/gtest.h>
 

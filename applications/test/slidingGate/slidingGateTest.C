@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A gate: its faces, where it is in time, what it lets through.
 
-#include "saidDuring.H"
+#include "terminalOutput.H"
 #include "slidingGate.H"
 #include "testMesh.H"
 
@@ -149,12 +149,12 @@ TEST(slidingGate, BetweenFacesItStandsOnTheFacesBetweenItsSides)
 TEST(slidingGate, TellsHowFarBesideItsPlaneItStands)
 {
     testMesh m(box());
-    const auto said = [&](const scalar x)
+    const auto output = [&](const scalar x)
     {
-        return saidDuring([&]{ slidingGate gate(m.mesh(), gateAt(x)); });
+        return outputDuring([&]{ slidingGate gate(m.mesh(), gateAt(x)); });
     };
-    expectSays(said(0.55), "up to 0.05 m beside its plane");
-    expectSaysNo(said(0.5), "beside its plane");
+    expectHolds(output(0.55), "up to 0.05 m beside its plane");
+    expectLacks(output(0.5), "beside its plane");
 }
 
 

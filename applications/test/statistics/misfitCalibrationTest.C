@@ -96,7 +96,7 @@ TEST(misfitCalibration, theParametersThatMadeTheTargetsAreChosenAmongLevelsToo)
         EXPECT_EQ(chosen[1], k);
         EXPECT_NEAR(best.misfit, 0, 1e-9);
 
-        // Each target tells of the decades by 2*0.7 and by -1, to 0.1
+        // Slopes of each target over the decades: 2*0.7 and -1, with a deviation of 0.1
         EXPECT_NEAR(deviations[0], 0.1/std::sqrt(2*(sqr(1.4) + 1)), 1e-6);
         EXPECT_EQ(deviations[1], 0);
     }

@@ -23,7 +23,7 @@ vec numbers(const std::initializer_list<double>& all)
 }
 
 
-//- Columns x and y of a table that is told as text
+//- Columns x and y of a table given as text
 mat columnsOf(const std::string& text)
 {
     std::istringstream is(text);
@@ -176,7 +176,7 @@ TEST(tableStatistics, aPowerLawNeedsPositivePointsAtTwoPlaces)
 TEST(tableStatistics, rowsWithEmptyCellsAreLeftOutAndWordsElsewhereAreNot)
 {
     const mat all =
-        columnsOf("run,y,x,said\na,1,2,done\nb,,4,not run\nc,5,6e-1,\n");
+        columnsOf("run,y,x,output\na,1,2,done\nb,,4,not run\nc,5,6e-1,\n");
     ASSERT_EQ(all.rows(), 3);
     const mat complete = statistics::completeRows(all);
     mat wanted(2, 2);

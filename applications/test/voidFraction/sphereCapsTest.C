@@ -28,9 +28,9 @@ scalarList capShares
     grainExchange exchange(test.mesh());
     exchange.locate(phase);
 
-    voidFraction pores(exchange, settings("sphereCaps", "none"));
-    pores.update();
-    EXPECT_EQ(pores.excess().volume(), 0);
+    solidFractionField solids(exchange, settings("sphereCaps", "none"));
+    solids.update();
+    EXPECT_EQ(solids.excess().volume(), 0);
 
     scalarList shares;
     for (const point& at : places)
@@ -38,7 +38,7 @@ scalarList capShares
         const label cell = test.mesh().findCell(at);
         shares.append
         (
-            pores.solidFraction()[cell]*test.mesh().V()[cell]/volumeOf(1)
+            solids.solidFraction()[cell]*test.mesh().V()[cell]/volumeOf(1)
         );
     }
     return shares;
@@ -71,9 +71,9 @@ scalar largestChange(const word& model, const word& smoothing)
         place(phase, pointField(1, point(0.5 + 2e-5*step, 0.41, 0.43)), radius);
         grainExchange exchange(test.mesh());
         exchange.locate(phase);
-        voidFraction pores(exchange, settings(model, smoothing));
-        pores.update();
-        const scalarField now(pores.solidFraction()*test.mesh().V()/volumeOf(1));
+        solidFractionField solids(exchange, settings(model, smoothing));
+        solids.update();
+        const scalarField now(solids.solidFraction()*test.mesh().V()/volumeOf(1));
 
         if (before.size())
         {
@@ -144,7 +144,7 @@ TEST(sphereCaps, anEnlargedGrainHasTheCapOfALargerSphere)
 
     dictionary dict(settings("sphereCaps", "none"));
     dict.add("enlargement", 2);
-    voidFraction p(exchange, dict);
+    solidFractionField p(exchange, dict);
     p.update();
 
     const label cell = test.mesh().findCell(next);
@@ -222,10 +222,10 @@ TEST(sphereCaps, aGrainOnARefinedFaceIsHalfInTheLargeCell)
     place(phase, pointField(1, p), radius);
     grainExchange exchange(test.mesh());
     exchange.locate(phase);
-    voidFraction pores(exchange, settings("sphereCaps", "none"));
-    pores.update();
+    solidFractionField solids(exchange, settings("sphereCaps", "none"));
+    solids.update();
 
-    const scalarField shares(pores.solidFraction()*test.mesh().V()/volumeOf(1));
+    const scalarField shares(solids.solidFraction()*test.mesh().V()/volumeOf(1));
     EXPECT_NEAR(shares[test.mesh().findCell(p - vector(0.01, 0, 0))], 0.5, 1e-10);
     for (label i = 0; i < 4; ++i)
     {
@@ -284,8 +284,8 @@ TEST(ParallelVoidFraction, capsAreTheVolumesOfRandomPointsAtRefinedCells)
             place(phase, pointField(1, centre), r);
             grainExchange exchange(test.mesh());
             exchange.locate(phase);
-            voidFraction pores(exchange, dict);
-            pores.update();
+            solidFractionField solids(exchange, dict);
+            solids.update();
 
             scalarField expected(test.mesh().nCells(), Zero);
             const label n = 20000;
@@ -311,7 +311,7 @@ TEST(ParallelVoidFraction, capsAreTheVolumesOfRandomPointsAtRefinedCells)
 
             const scalarField shares
             (
-                pores.solidFraction()*test.mesh().V()/volume
+                solids.solidFraction()*test.mesh().V()/volume
             );
             most = max(most, gMax(mag(shares - expected)()));
             EXPECT_NEAR(gSum(shares), 1, 1e-12);

@@ -2,7 +2,7 @@
 // Void fraction from grains: conservation, adjointness, over-full cells.
 
 #include "grainsInBox.H"
-#include "saidDuring.H"
+#include "terminalOutput.H"
 #include "testNumber.H"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ scalar adjointError
 (
     const fvMesh& mesh,
     const grainExchange& exchange,
-    const voidFraction& p
+    const solidFractionField& p
 )
 {
     scalarField a(exchange.grains().size());
@@ -65,7 +65,7 @@ void expectConserved(const testBox& b, const word& model, const bool skewed)
 
     for (const word smoothing : {"none", "diffusion"})
     {
-        voidFraction p(exchange, settings(model, smoothing));
+        solidFractionField p(exchange, settings(model, smoothing));
         p.update();
 
         const scalar lost = lostVolume(test.mesh(), p, places.size());
@@ -123,7 +123,7 @@ void expectShifted(const word& model)
         grainExchange exchange(test.mesh());
         exchange.locate(phase);
 
-        voidFraction p(exchange, settings(model, "diffusion"));
+        solidFractionField p(exchange, settings(model, "diffusion"));
         p.update();
         const scalarField all(global(test.mesh(), p.solidFraction()));
 
@@ -159,7 +159,7 @@ void expectSpread()
     grainExchange exchange(test.mesh());
     exchange.locate(phase);
 
-    voidFraction p(exchange, settings("satellitePoints", "none"));
+    solidFractionField p(exchange, settings("satellitePoints", "none"));
     p.update();
 
     const scalar lost = lostVolume(test.mesh(), p, 60);
@@ -239,7 +239,7 @@ TEST(voidFraction, refusesAnUnknownModelWithTheChoices)
 
     try
     {
-        voidFraction p(exchange, settings("halved", "none"));
+        solidFractionField p(exchange, settings("halved", "none"));
         FAIL() << "no error";
     }
     catch (const Foam::error& e)
@@ -254,16 +254,16 @@ TEST(voidFraction, anEnlargementIsForCapsAloneAndNotBelowOne)
     testMesh test(box());
     grainExchange exchange(test.mesh());
 
-    const auto said = [&](const word& model, const scalar enlargement)
+    const auto output = [&](const word& model, const scalar enlargement)
     {
         dictionary dict(settings(model, "none"));
         dict.add("enlargement", enlargement);
-        return refusal([&]{ voidFraction p(exchange, dict); });
+        return refusal([&]{ solidFractionField p(exchange, dict); });
     };
 
-    EXPECT_EQ(said("sphereCaps", 1.9), "nothing");
-    EXPECT_NE(said("sphereCaps", 0.9).find("is 0.9"), std::string::npos);
-    EXPECT_NE(said("centroid", 1.9).find("enlargement"), std::string::npos);
+    EXPECT_EQ(output("sphereCaps", 1.9), "nothing");
+    EXPECT_NE(output("sphereCaps", 0.9).find("is 0.9"), std::string::npos);
+    EXPECT_NE(output("centroid", 1.9).find("enlargement"), std::string::npos);
 }
 
 
@@ -276,7 +276,7 @@ TEST(voidFraction, keysOfSmoothingMayStayWhereThereIsNone)
     smoothing.add("drag", "off");
     smoothing.add("diameter", 0.01);
 
-    EXPECT_EQ(refusal([&]{ voidFraction p(exchange, dict); }), "nothing");
+    EXPECT_EQ(refusal([&]{ solidFractionField p(exchange, dict); }), "nothing");
 }
 
 
@@ -297,7 +297,7 @@ TEST(voidFraction, formerNamesOfModelsAreErrorsThatSayThePresentOnes)
         (
             refusal
             (
-                [&]{ voidFraction p(exchange, settings(model.key(), "none")); }
+                [&]{ solidFractionField p(exchange, settings(model.key(), "none")); }
             ).find("Write " + model.val()),
             std::string::npos
         );

@@ -11,6 +11,7 @@
 #include "numberTable.H"
 #include "scalarField.H"
 #include "series.H"
+#include "projectVersion.H"
 
 using namespace Foam;
 
@@ -75,7 +76,7 @@ scalarList timesOf(const dictionary& dict, const scalarList& measured)
             << "Less than two times from " << from << " to " << to
             << " s: those of normalStress go from " << measured.first()
             << " to " << measured.last() << " s." << nl
-            << "    Mend from, to and timeStep." << exit(FatalIOError);
+            << "    Correct from, to and timeStep." << exit(FatalIOError);
     }
 
     return scalarList(std::move(times));
@@ -105,9 +106,10 @@ sectionSeries readSection(const dictionary& dict, const fileName& caseFolder)
         {
             FatalIOErrorInFunction(all)
                 << name << " goes from " << y.x.first() << " to " << y.x.last()
-                << " s, and what is looked at from " << result.t.first() << " to "
+                << " s, but the evaluated times go from " << result.t.first() << " to "
                 << result.t.last() << " s." << nl
-                << "    Mend from and to, or its times: are they in ms, or of another clock?"
+                << "    Correct from and to, or its times. Are they in ms, or by"
+                << " another clock?"
                 << exit(FatalIOError);
         }
         values.setSize(result.t.size());
@@ -219,6 +221,7 @@ void writeErrors
 
 int main(int argc, char *argv[])
 {
+    Foam::answerVersion(argc, argv);
     argList::addNote
     (
         "Depth of erosion over time by the static, dynamic and progressive"

@@ -6,8 +6,9 @@
 #include "fvCFD.H"
 #include "granularProperties.H"
 #include "keywords.H"
+#include "projectVersion.H"
 #include "serialTool.H"
-#include "voidFraction.H"
+#include "solidFractionField.H"
 
 using namespace Foam;
 
@@ -40,7 +41,7 @@ namespace
         const granularProperties dict_;
         const autoPtr<granularPhase> phase_;
         grainExchange exchange_;
-        voidFraction voidFraction_;
+        solidFractionField solids_;
 
     public:
 
@@ -49,19 +50,31 @@ namespace
             dict_(mesh),
             phase_(dict_.makePhase(mesh, g)),
             exchange_(mesh),
-            voidFraction_(exchange_, keywords::sub(dict_, "voidFraction"))
+            solids_(exchange_, keywords::sub(dict_, "voidFraction"))
         {
             exchange_.locate(*phase_);
+        }
+
+        //- Number of the grains in each cell
+        scalarField numberOfGrains() const
+        {
+            scalarField n(exchange_.mesh().nCells(), Zero);
+            for (const locatedGrain& grain : exchange_.grains())
+            {
+                n[grain.cell] += 1;
+            }
+
+            return n;
         }
 
         //- Their volume in each cell [m3], with this water fraction of the cells: the
         //  smoothing ends at its surface
         scalarField volumes(const scalarField& water)
         {
-            voidFraction_.setWater(water);
-            voidFraction_.update();
+            solids_.setWater(water);
+            solids_.update();
 
-            return (1 - voidFraction_.solidFraction())*exchange_.mesh().V();
+            return (1 - solids_.solidFraction())*exchange_.mesh().V();
         }
     };
 
@@ -200,8 +213,25 @@ scalar levelOf
 }
 
 
+//- Write what each cell costs a rank, for the weightField of decomposePar: as much for
+//  the fluid as for one grain
+void writeDecompositionWeight(const fvMesh& mesh, const scalarField& numberOfGrains)
+{
+    volScalarField weight
+    (
+        IOobject("decompositionWeight", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar("weight", dimless, 1),
+        "zeroGradient"
+    );
+    weight.primitiveFieldRef() += numberOfGrains;
+    weight.write();
+}
+
+
 int main(int argc, char *argv[])
 {
+    Foam::answerVersion(argc, argv);
     argList::addNote
     (
         "Fills a box with a given mass of water, in the pores that the grains"
@@ -267,6 +297,7 @@ int main(int argc, char *argv[])
 
     alpha.primitiveFieldRef() = shares(mesh, box, level);
     alpha.write();
+    writeDecompositionWeight(mesh, grains.numberOfGrains());
 
     const scalar beside = besidePlan(mesh, box, level);
     if (beside > 0)

@@ -8,6 +8,7 @@
 
 #include "scalarField.H"
 #include "OFstream.H"
+#include "projectVersion.H"
 #include "serialTool.H"
 
 #include <algorithm>
@@ -130,8 +131,8 @@ struct experiment
         {
             FatalIOErrorInFunction(dict)
                 << name << ": " << variables.cols() << " runs in "
-                << dict.get<fileName>("runs") << " do not tell " << names.size()
-                << " variables apart: one more than variables at least"
+                << dict.get<fileName>("runs") << " cannot separate " << names.size()
+                << " variables: at least one run more than variables is needed"
                 << exit(FatalIOError);
         }
         const wordRes mixed(keywords::patterns(dict, "mixed", names));
@@ -197,9 +198,9 @@ struct experiment
         if (bound)
         {
             Info<< "    " << bound << " runs have a leverage of "
-                << responseSurface::fixesTerm << " or more: the surface goes through"
-                << " them whatever they came to, and they tell nothing of its error."
-                << " More runs, or fewer variables in mixed" << nl;
+                << responseSurface::fixesTerm << " or more: the surface passes through"
+                << " them whatever their results, so they do not show its error."
+                << " Add runs, or list fewer variables in mixed" << nl;
         }
     }
 
@@ -247,6 +248,7 @@ int main(int argc, char* argv[])
     using namespace Foam;
     using namespace Foam::misfit;
 
+    Foam::answerVersion(argc, argv);
     argList::addNote
     (
         "Choose parameters by response surfaces of runs that are done. See README.md"

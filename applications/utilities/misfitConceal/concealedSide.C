@@ -244,12 +244,12 @@ Foam::misfit::concealedSide::recorded(const fileName& folder) const
 
 
 Foam::misfit::settings
-Foam::misfit::concealedSide::known(settings asked, const fileName& folder)
+Foam::misfit::concealedSide::known(settings given, const fileName& folder)
 {
     const fileName file(folder/"measured");
     const char* const asking = "libraryDict";
     const json measured(isFile(file, false) ? readJson(file) : json::object());
-    for (parameter& p : asked.parameters)
+    for (parameter& p : given.parameters)
     {
         if (p.isMeasured != measured.contains(p.name))
         {
@@ -257,7 +257,7 @@ Foam::misfit::concealedSide::known(settings asked, const fileName& folder)
                 << "The parameter " << p.name << " is measured in "
                 << (p.isMeasured ? asking : file.c_str()) << ", not in "
                 << (p.isMeasured ? file.c_str() : asking) << ": give both dictionaries"
-                << " of the slice the same parameters, and make the cases anew"
+                << " of the slice the same parameters, and make the cases again"
                 << exit(FatalError);
         }
         if (p.isMeasured)
@@ -265,7 +265,7 @@ Foam::misfit::concealedSide::known(settings asked, const fileName& folder)
             p.measured = measured[p.name];
         }
     }
-    return asked;
+    return given;
 }
 
 

@@ -96,7 +96,7 @@ fileNameList caseFolders(const fileName& folder)
 
 void Foam::misfit::diagnoseCases(concealedSide& library, const fileName& folder)
 {
-    const settings asked(readSettings(library.dict()));
+    const settings given(readSettings(library.dict()));
     const fileNameList cases(caseFolders(folder));
     label n = 0;
     for (const fileName& c : cases)
@@ -107,7 +107,7 @@ void Foam::misfit::diagnoseCases(concealedSide& library, const fileName& folder)
             continue;
         }
         const recordings recorded(library.recorded(c));
-        const settings set(concealedSide::known(asked, c));
+        const settings set(concealedSide::known(given, c));
         predictedSampler ask(recorded, library, library.trainingEnsemble());
         const finding found(diagnose(ask, set));
         const json proof =

@@ -6,6 +6,7 @@
 #include "keywords.H"
 #include "textFile.H"
 
+#include "projectVersion.H"
 #include "serialTool.H"
 
 #include <random>
@@ -30,8 +31,8 @@ void addOptions()
         {"folder", "dir", "Folder of the cases"},
         {"key", "file", "The key; folder/key.json if not given"},
         {"ensemble", "dir", "Training ensembles; ensemble of the slice if not given"},
-        {"compute", "n", "Compute so many of the runs that the training"
-            " ensembles lack, and tell how many are there"},
+        {"compute", "n", "Compute up to n of the runs that the training"
+            " ensembles lack, and print how many exist"},
         {"make", "n", "Make cases 1 to n and their key"},
         {"from", "n", "With -make: leave out the cases before this number"},
         {"seed", "number", "With -make; secret if not given"},
@@ -41,7 +42,7 @@ void addOptions()
         {"score", "", "Score the verdicts against the key"},
         {"calibrate", "cases.csv", "Fit the table of confidences to scored cases"},
         {"table", "file", "With -calibrate: write the table there"},
-        {"check", "", "Compute a run of each ensemble that is used anew and tell the"
+        {"check", "", "Compute a run of each ensemble in use again, and print the"
             " difference"},
         {"write", "dir", "Write the case of the library at the mean there"},
         {"with", "name", "With -write: this mechanism in full, or this parameter"
@@ -172,8 +173,8 @@ void make
 }
 
 
-//- Prints the largest difference of a run of these ensembles, computed anew, over the
-//  uncertainty of a reading
+//- Computes a run of each of these ensembles again. Prints the largest difference, in
+//  multiples of the uncertainty of a reading
 void check(const fileName& slice, const fileName& ensembles, const wordList& sides)
 {
     scalar largest = 0;
@@ -187,7 +188,7 @@ void check(const fileName& slice, const fileName& ensembles, const wordList& sid
         largest =
             max(largest, concealedSide(slice, ensembles, side, false).difference(1));
     }
-    // A run of some seconds tells how far it is meanwhile
+    // A run of some seconds prints its progress before this
     Info<< "check " << largest << endl;
 }
 
@@ -236,6 +237,7 @@ void writeCase
 
 int main(int argc, char* argv[])
 {
+    Foam::answerVersion(argc, argv);
     addOptions();
     startSerialTool();
     const argList args(argc, argv);

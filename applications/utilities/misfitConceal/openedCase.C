@@ -116,9 +116,9 @@ bool setIsRight(const openedCase& c)
 bool isRight(const openedCase& c)
 {
     return
-        c.said == "set" ? setIsRight(c)
-      : c.said == "none" ? c.kind == "null"
-      : c.said == "unknown" ? c.kind == "outside"
+        c.outcome == "set" ? setIsRight(c)
+      : c.outcome == "none" ? c.kind == "null"
+      : c.outcome == "unknown" ? c.kind == "outside"
       : c.blamesChannel() ? c.faulty.size() && c.names == nameList({c.faulty})
       : c.nothingWrong;
 }
@@ -177,7 +177,7 @@ openedCase opened
     c.verdict = readJson(folder/"verdict.json");
     c.proof = readJson(folder/"proof.json");
     c.kind = key["kind"];
-    c.said = c.verdict["verdict"];
+    c.outcome = c.verdict["verdict"];
     c.faulty = key["faulty"];
     for (const json& m : key["mechanisms"])
     {
@@ -187,7 +187,7 @@ openedCase opened
     c.names = sorted(c.verdict["names"]);
     c.confidence = c.verdict["confidence"];
     c.nothingWrong =
-        c.said == "named"
+        c.outcome == "named"
      && std::includes
         (
             c.truth.begin(), c.truth.end(), c.names.begin(), c.names.end()

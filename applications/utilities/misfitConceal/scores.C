@@ -154,7 +154,7 @@ bool isOverNoise(Case c)
 
 bool isNamed(Case c)
 {
-    return c.said == "named";
+    return c.outcome == "named";
 }
 
 
@@ -165,16 +165,16 @@ bool allNamed(Case c)
 }
 
 
-//- The first of its mechanisms is one of several that are not told apart
+//- The first of its mechanisms is in a set of indistinguishable ones
 bool hasTruthInSet(Case c)
 {
     return
-        c.said == "set" && c.truth.size()
+        c.outcome == "set" && c.truth.size()
      && statistics::contains(c.names, c.truth.front());
 }
 
 
-//- A sensor is faulty, but all that is said is about mechanisms
+//- A sensor is faulty, but the verdict names only mechanisms
 bool blamesPhysics(Case c)
 {
     const bool aFault =
@@ -182,7 +182,7 @@ bool blamesPhysics(Case c)
         {
             return name.find(c.faulty) != name.npos;
         });
-    return isNamed(c) || (c.said == "set" && !aFault);
+    return isNamed(c) || (c.outcome == "set" && !aFault);
 }
 
 

@@ -9,6 +9,7 @@
 #include "argList.H"
 #include "IOdictionary.H"
 #include "Time.H"
+#include "projectVersion.H"
 #include "serialTool.H"
 
 #include <cmath>
@@ -93,6 +94,7 @@ int main(int argc, char* argv[])
     using namespace Foam;
     using namespace Foam::misfit;
 
+    Foam::answerVersion(argc, argv);
     argList::addNote
     (
         "Compare a case with recordings and say which physics is missing."

@@ -6,6 +6,7 @@
 
 #include "fpeGuard.H"
 #include "OSspecific.H"
+#include "projectVersion.H"
 #include "serialTool.H"
 
 #include <stdexcept>
@@ -53,6 +54,7 @@ void run(const dictionary& dict)
 
 int main(int argc, char* argv[])
 {
+    Foam::answerVersion(argc, argv);
     argList::addNote
     (
         "Find the column of a table whose numbers stand at the wrong rows, by an"
@@ -65,7 +67,7 @@ int main(int argc, char* argv[])
     const argList args(argc, argv);
     const dictionary dict(readArgument(args));
 
-    // A formula without a value is told by its line
+    // The error for a formula without a value names its line
     const fpeGuard guard;
     try
     {

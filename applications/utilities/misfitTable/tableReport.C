@@ -19,11 +19,11 @@ using namespace Foam::misfit;
 using statistics::columnFaultKind;
 using statistics::identityMatch;
 
-//- Of a column and kind of exchange as many are written
+//- Largest number of exchanges written for each column and kind
 constexpr int nBest = 3;
 
 
-//- Of the rows that miss the identity as many are told
+//- Largest number of rows reported that miss the identity
 constexpr int nTold = 5;
 
 

@@ -11,6 +11,7 @@
 #include "IOdictionary.H"
 #include "argList.H"
 #include "pointIOField.H"
+#include "projectVersion.H"
 #include "serialTool.H"
 #include "uniformDimensionedFields.H"
 
@@ -261,6 +262,7 @@ int main(int argc, char* argv[])
 {
     using namespace Foam;
 
+    Foam::answerVersion(argc, argv);
     argList::addNote
     (
         "Make packings of grains of a given solid fraction, mass or level"

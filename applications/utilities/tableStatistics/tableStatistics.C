@@ -7,6 +7,7 @@
 #include "rankCorrelation.H"
 #include "tableColumns.H"
 #include "wordList.H"
+#include "projectVersion.H"
 
 #include <stdexcept>
 
@@ -135,7 +136,7 @@ void printAll(const argList& args, const fileName& file)
     )
     {
         FatalErrorInFunction
-            << "Nothing is asked of " << file << nl
+            << "Nothing to compute from " << file << nl
             << "    Add -compare, -powerLaw or -correlations."
             << exit(FatalError);
     }
@@ -163,6 +164,7 @@ void printAll(const argList& args, const fileName& file)
 
 int main(int argc, char *argv[])
 {
+    Foam::answerVersion(argc, argv);
     argList::addNote
     (
         "Statistics of the columns of a table with commas and a line of names:"

@@ -28,7 +28,7 @@ Foam::scalarField errors(const Foam::fvMesh& mesh)
         }
     }
 
-    // A cell without volume divides by zero; the error below tells where it is
+    // A cell without volume divides by zero; the error below reports where it is
     const fpeGuard noTraps;
     const surfaceScalarField flux
     (

@@ -16,7 +16,7 @@ const Foam::word Foam::demCoupling::waterName("waterAtExchange");
 Foam::demCoupling::demCoupling
 (
     const fvMesh& mesh,
-    const hydrostatics& rest,
+    const hydrostatics& hydrostatic,
     const scalarField& water
 )
 :
@@ -31,7 +31,7 @@ Foam::demCoupling::demCoupling
         return;
     }
 
-    // A file that is there is read, or told to be wrong
+    // A file that exists is read; an error in it is reported
     if (!granularProperties::present(mesh))
     {
         Info<< "No constant/granularProperties: no grains" << nl << endl;
@@ -40,21 +40,21 @@ Foam::demCoupling::demCoupling
 
     const granularProperties dict(mesh);
 
-    phase_ = dict.makePhase(mesh, rest.g());
+    phase_ = dict.makePhase(mesh, hydrostatic.g());
     dict.checkSmoothing(*phase_);
     exchange_.reset(new grainExchange(mesh));
-    voidFraction_.reset
+    solids_.reset
     (
-        new voidFraction(*exchange_, keywords::sub(dict, "voidFraction"))
+        new solidFractionField(*exchange_, keywords::sub(dict, "voidFraction"))
     );
     forces_.reset
     (
         new interphaseForces
         (
             *exchange_,
-            *voidFraction_,
+            *solids_,
             keywords::sub(dict, "interphaseForces"),
-            rest,
+            hydrostatic,
             phase_->coarseGraining()
         )
     );
@@ -241,7 +241,7 @@ void Foam::demCoupling::startEntered
 )
 {
     exchange_->locate(*phase_, entered);
-    voidFraction_->shareSome();
+    solids_->shareSome();
     forces_->startEntered(fluid, phase_->exchangeInterval());
 
     const label n = phase_->size();
@@ -312,9 +312,9 @@ void Foam::demCoupling::findVoidFraction()
 {
     const stageTimes::stage stage(times_, "findVoidFraction");
     solidBefore_ = solidAfter_;
-    voidFraction_->setWater(waterAtExchange_->primitiveField());
-    voidFraction_->update();
-    solidAfter_ = voidFraction_->solidFraction();
+    solids_->setWater(waterAtExchange_->primitiveField());
+    solids_->update();
+    solidAfter_ = solids_->solidFraction();
 }
 
 
@@ -335,7 +335,7 @@ Foam::demCoupling::voidFractionRate
 {
     const scalar interval = phase_->exchangeInterval();
     const scalar done = min((elapsed_ + dt)/interval, scalar(1));
-    const scalarField asked
+    const scalarField target
     (
         1 - ((1 - done)*solidBefore_ + done*solidAfter_)
     );
@@ -347,7 +347,7 @@ Foam::demCoupling::voidFractionRate
         IOobject("voidFractionRate", mesh_.time().timeName(), mesh_),
         mesh_,
         dimless/dimTime,
-        (asked - voidFraction.primitiveField())/interval
+        (target - voidFraction.primitiveField())/interval
     );
 }
 
@@ -362,12 +362,17 @@ void Foam::demCoupling::addFluidStep
     const scalar dt
 )
 {
+    if (!active())
+    {
+        return;
+    }
+
     const vectorField net(forces_->division().atCells(netForce));
 
     elapsed_ += dt;
     sums_.U += dt*U;
     sums_.rho += dt*rho;
-    sums_.pressureGradient += dt*(forces_->rest().gradient(rho) - net);
+    sums_.pressureGradient += dt*(forces_->hydrostatic().gradient(rho) - net);
     if (viscousForce.size())
     {
         sums_.viscousForce += dt*viscousForce;
@@ -419,7 +424,7 @@ void Foam::demCoupling::report() const
         return;
     }
 
-    const scalar volume = voidFraction_->mapping().totalVolume();
+    const scalar volume = solids_->mapping().totalVolume();
 
     Info<< "Exchange: force residual " << forces_->residual()
         << ", volume residual "

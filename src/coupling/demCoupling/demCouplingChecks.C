@@ -39,7 +39,7 @@ void Foam::demCoupling::checkSlowGrains(const fluidFields& fluid) const
         return;
     }
 
-    const particleMeshMapping& mapping = voidFraction_->mapping();
+    const particleMeshMapping& mapping = solids_->mapping();
     scalar most = 0;
 
     forAll(exchange_->grains(), i)
@@ -50,7 +50,7 @@ void Foam::demCoupling::checkSlowGrains(const fluidFields& fluid) const
         const scalar d = 2*grain.radius/phase_->coarseGraining();
         const scalar cell = cbrt(mesh_.V()[grain.cell]);
         const scalar speed =
-            mag(forces_->rest().g())*sqr(d)/(18*mu)
+            mag(forces_->hydrostatic().g())*sqr(d)/(18*mu)
            *mag(grain.mass/mapping.volumes()[i] - rho);
 
         // Among others it meets water that they all drag, as drag laws have it;
@@ -247,9 +247,22 @@ Foam::string Foam::demCoupling::stepFault(const Time& runTime) const
 }
 
 
-void Foam::demCoupling::checkWriting(const Time& runTime) const
+void Foam::demCoupling::checkTimes
+(
+    const Time& runTime,
+    const bool adjustTimeStep
+) const
 {
-    const string fault(writingFault(runTime));
+    if (!active())
+    {
+        return;
+    }
+
+    string fault(writingFault(runTime));
+    if (fault.empty() && !adjustTimeStep)
+    {
+        fault = stepFault(runTime);
+    }
 
     if (fault.size())
     {
@@ -259,19 +272,7 @@ void Foam::demCoupling::checkWriting(const Time& runTime) const
 }
 
 
-void Foam::demCoupling::checkStep(const Time& runTime) const
-{
-    const string fault(stepFault(runTime));
-
-    if (fault.size())
-    {
-        FatalIOErrorInFunction(runTime.controlDict())
-            << fault.c_str() << exit(FatalIOError);
-    }
-}
-
-
-void Foam::demCoupling::tellChanges
+void Foam::demCoupling::warnOfChanges
 (
     const Time& runTime,
     const bool adjustTimeStep
@@ -281,7 +282,7 @@ void Foam::demCoupling::tellChanges
     const string step(adjustTimeStep ? string() : stepFault(runTime));
     const string all(writing + (writing.empty() ? "" : "\n    ") + step);
 
-    if (all != told_ && all.size())
+    if (all != lastFault_ && all.size())
     {
         IOWarningInFunction(runTime.controlDict())
             << all.c_str() << nl
@@ -289,5 +290,5 @@ void Foam::demCoupling::tellChanges
             << " after each time to write, and takes the longest fluid step that"
             << " fits." << endl;
     }
-    told_ = all;
+    lastFault_ = all;
 }

@@ -12,6 +12,11 @@
 
 bool Foam::demCoupling::writeCloud() const
 {
+    if (!active())
+    {
+        return true;
+    }
+
     // A snapshot stands on the ranks that move the grains, a cloud on those
     // of their cells
     const autoPtr<grainSnapshot> moved(phase_->snapshot());
@@ -52,6 +57,11 @@ bool Foam::demCoupling::writeCloud() const
 
 bool Foam::demCoupling::write()
 {
+    if (!active())
+    {
+        return true;
+    }
+
     const stageTimes::stage stage(times_, "writeGrains");
 
     const bool cloudComplete = writeCloud();
@@ -72,8 +82,8 @@ bool Foam::demCoupling::write()
     if (forces_)
     {
         locateGrains();
-        voidFraction_->update();
-        solidAfter_ = voidFraction_->solidFraction();
+        solids_->update();
+        solidAfter_ = solids_->solidFraction();
     }
 
     return returnReduce(cloudComplete && stateComplete, andOp<bool>());

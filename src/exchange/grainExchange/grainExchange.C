@@ -117,7 +117,7 @@ void Foam::grainExchange::findElsewhere
     // Ask the ranks whose bounds hold the point; the lowest that has it in a
     // cell gets the grain
     List<DynamicList<point>> questions(Pstream::nProcs());
-    List<DynamicList<label>> asked(Pstream::nProcs());
+    List<DynamicList<label>> requests(Pstream::nProcs());
 
     for (const label i : strangers)
     {
@@ -132,7 +132,7 @@ void Foam::grainExchange::findElsewhere
             if (!done && bounds_[rank].contains(p))
             {
                 questions[rank].append(p);
-                asked[rank].append(i);
+                requests[rank].append(i);
             }
         }
     }
@@ -156,7 +156,7 @@ void Foam::grainExchange::findElsewhere
     {
         forAll(found[rank], q)
         {
-            const label i = asked[rank][q];
+            const label i = requests[rank][q];
 
             if (found[rank][q] >= 0 && placed.insert(i))
             {

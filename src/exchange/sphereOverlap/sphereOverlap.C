@@ -155,7 +155,7 @@ Foam::sphereOverlap::cap Foam::sphereOverlap::capOf
 {
     const planes here(reached(centre, radius, cell));
 
-    // What is behind a wall is not asked for
+    // What lies behind a wall is not needed
     if (!here.n || (here.n == 1 && here.last->next == -1))
     {
         return cap{true, -1, 0};

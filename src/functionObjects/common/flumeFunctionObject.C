@@ -120,22 +120,22 @@ void Foam::functionObjects::flumeFunctionObject::tellAbsent
 {
     labelHashSet unknown(types);
     unknown -= knownTypes_;
-    const labelList asked(unknown.sortedToc());
+    const labelList unknownTypes(unknown.sortedToc());
 
-    if (asked.empty() || !returnReduce(grains.size(), sumOp<label>()))
+    if (unknownTypes.empty() || !returnReduce(grains.size(), sumOp<label>()))
     {
         return;
     }
 
     string absent;
-    for (const label type : asked)
+    for (const label type : unknownTypes)
     {
         if (!returnReduce(grains.type.found(type), orOp<bool>()))
         {
             absent += " " + Foam::name(type);
         }
     }
-    knownTypes_.insert(asked);
+    knownTypes_.insert(unknownTypes);
 
     if (absent.size())
     {

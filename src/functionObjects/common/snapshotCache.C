@@ -34,7 +34,7 @@ const Foam::grainSnapshot& Foam::snapshotCache::present()
 {
     const Time& now = mesh_.time();
 
-    // The index alone does not tell times of postProcess apart from the start
+    // The index alone does not distinguish times of postProcess from the start
     if (!grains_ || timeIndex_ != now.timeIndex() || time_ != now.value())
     {
         grains_ = grainSnapshot::New(mesh_);

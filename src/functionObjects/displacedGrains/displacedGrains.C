@@ -260,7 +260,7 @@ void Foam::functionObjects::displacedGrains::report()
 
 bool Foam::functionObjects::displacedGrains::end()
 {
-    // A run that is asked to stop writes a time that was not due
+    // A run that is stopped early writes a time that was not due
     writeOrigins();
     return true;
 }

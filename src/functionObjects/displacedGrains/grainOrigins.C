@@ -153,10 +153,10 @@ void Foam::grainOrigins::readGrains
         {
             FatalErrorInFunction
                 << file << " has " << i << " of the " << n
-                << " grains that its first line tells of: it was cut off, or is of"
-                << " an earlier version without diameters and types." << nl
-                << "    Bring back the whole file; or remove it, and displacements"
-                << " are those from now on." << exit(FatalError);
+                << " grains that its first line announces: it was cut off, or an"
+                << " earlier version wrote it without diameters and types." << nl
+                << "    Restore the whole file; or remove it, and displacements"
+                << " are measured from now on." << exit(FatalError);
         }
         if (id % Pstream::nProcs() == Pstream::myProcNo() && o.since <= last)
         {

@@ -155,7 +155,7 @@ bool Foam::functionObjects::grainTrack::sample()
 {
     if (ids_.empty())
     {
-        // Which are nearest is asked when there are grains
+        // The nearest grains are sought once there are grains
         const labelList found(nearest());
         if (found.found(-1))
         {
@@ -171,7 +171,7 @@ bool Foam::functionObjects::grainTrack::sample()
 
 void Foam::functionObjects::grainTrack::tell(const string& unknown)
 {
-    // Grains that points have found were there
+    // Grains that were found by points exist
     if (looked_ || points_.size())
     {
         return;

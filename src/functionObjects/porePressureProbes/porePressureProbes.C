@@ -97,7 +97,7 @@ void Foam::functionObjects::porePressureProbes::findPlaces
         FatalIOErrorInFunction(dict)
             << "hydrostatic vertical in " << dict.name() << " takes the water"
             << " level along gravity, and constant/g is zero." << nl
-            << "    Mend constant/g, or give hydrostatic normal."
+            << "    Correct constant/g, or set hydrostatic normal."
             << exit(FatalIOError);
     }
 
@@ -125,7 +125,7 @@ void Foam::functionObjects::porePressureProbes::findPlaces
                 << " the layer lies on, and gravity does not press what is at"
                 << " probe " << i << ", " << probes_[i] << ", against patch "
                 << patchName_ << "." << nl
-                << "    Mend constant/g or the patch, or give hydrostatic normal."
+                << "    Correct constant/g or the patch, or set hydrostatic normal."
                 << exit(FatalIOError);
         }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The forces of the last DEM step, kept while LIGGGHTS sets itself up anew.
+// The forces of the last DEM step, kept while LIGGGHTS sets itself up again.
 
 #include "lastForces.H"
 

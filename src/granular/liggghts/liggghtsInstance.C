@@ -305,6 +305,15 @@ bool Foam::liggghtsInstance::useNeighbourLists()
 }
 
 
+void Foam::liggghtsInstance::cutAt(const cutsOfMesh::planes& where)
+{
+    if (isKnown())
+    {
+        cutsOfMesh::replace(lmp_, where);
+    }
+}
+
+
 Foam::neighbourLists* Foam::liggghtsInstance::lists() const
 {
     return dynamic_cast<neighbourLists*>(lmp_->neighbor);
@@ -338,7 +347,7 @@ std::string Foam::liggghtsInstance::whyContactsAreStock() const
 {
     auto* own = dynamic_cast<vectorisedContacts*>(lmp_->force->pair);
 
-    return own ? own->reason() : "that is what was asked for";
+    return own ? own->reason() : "the case requests it";
 }
 
 
@@ -360,7 +369,7 @@ void Foam::liggghtsInstance::script
     const nowDoing now
     (
         "the script " + file,
-        "Mend the last command above in that script."
+        "Correct the last command above in that script."
     );
 
     const fileName before(cwd());

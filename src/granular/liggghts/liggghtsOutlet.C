@@ -233,7 +233,7 @@ void Foam::liggghtsOutlet::warnOfVanished
     warnedOfVanished_ = true;
 
     WarningInFunction
-        << n << " grains (said once) are gone by time "
+        << n << " grains (reported once) are gone by time "
         << grains_.timeName() << " s that were not about to reach a side"
         << " of their box; they are lost, and do not count as left." << nl
         << "    " << describe(first).c_str() << nl

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Grains computed by LIGGGHTS in this program: what is said to LIGGGHTS at the start.
+// Grains computed by LIGGGHTS in this program: the commands for it at the start.
 
 #include "liggghtsPhase.H"
 
 #include "IFstream.H"
 #include "OStringStream.H"
 #include "Time.H"
+#include "cutsOfMesh.H"
 #include "fixFluidForce.H"
 #include "fixLocalDamping.H"
 #include "fixStepForce.H"
@@ -113,6 +114,11 @@ void Foam::liggghtsPhase::createGrains()
     const labelVector cut(cuts(mesh_.time()));
     if (cut.x())
     {
+        if (Pstream::parRun())
+        {
+            liggghts_.cutAt(cutsOfMesh::between(mesh_, cut));
+        }
+
         std::ostringstream os;
         // OpenFOAM numbers its parts with x as the fastest
         os  << "processors " << cut.x() << ' ' << cut.y() << ' ' << cut.z()

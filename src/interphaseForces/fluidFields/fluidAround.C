@@ -2,7 +2,7 @@
 // The fluid's cell values as grains take them.
 
 #include "fluidAround.H"
-#include "closuresInUse.H"
+#include "forceModels.H"
 #include "particleMeshMapping.H"
 
 namespace
@@ -134,7 +134,7 @@ Foam::List<Foam::List<Foam::meanAtGrain>> Foam::meansAround
 Foam::List<Foam::List<Foam::flowAtGrain>> Foam::flowAround
 (
     const particleMeshMapping& mapping,
-    const closuresInUse& laws,
+    const forceModels& laws,
     const scalarField& rho,
     const vectorField& acceleration,
     const vectorField& viscousForce

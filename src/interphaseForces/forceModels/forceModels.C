@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The laws by which fluid and grains act on each other, as a case chose them.
 
-#include "closuresInUse.H"
+#include "forceModels.H"
 
 namespace
 {
@@ -59,7 +59,7 @@ namespace
 }
 
 
-Foam::closuresInUse::closuresInUse(const fvMesh& mesh, const dictionary& dict)
+Foam::forceModels::forceModels(const fvMesh& mesh, const dictionary& dict)
 :
     drag(dragModel::New(family(dict, "drag", "DiFelice"))),
     lift(family(dict, "lift", "none")),
@@ -88,7 +88,7 @@ Foam::closuresInUse::closuresInUse(const fvMesh& mesh, const dictionary& dict)
 }
 
 
-void Foam::closuresInUse::dragCoefficients
+void Foam::forceModels::dragCoefficients
 (
     const UList<grainState>& states,
     UList<scalar>& K
@@ -105,7 +105,7 @@ void Foam::closuresInUse::dragCoefficients
 }
 
 
-void Foam::closuresInUse::liftForces
+void Foam::forceModels::liftForces
 (
     const UList<grainState>& states,
     UList<vector>& forces
@@ -125,7 +125,7 @@ void Foam::closuresInUse::liftForces
 }
 
 
-bool Foam::closuresInUse::carriesFluid() const
+bool Foam::forceModels::carriesFluid() const
 {
     return
         active.subDict("virtualMass").get<word>("model") != "none"

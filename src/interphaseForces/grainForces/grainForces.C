@@ -19,16 +19,16 @@ namespace
 Foam::grainForces::grainForces
 (
     const grainExchange& exchange,
-    const voidFraction& pores,
+    const solidFractionField& solids,
     const dictionary& dict,
-    const hydrostatics& rest,
+    const hydrostatics& hydrostatic,
     const scalar coarseGraining
 )
 :
     exchange_(exchange),
-    voidFraction_(pores),
-    mapping_(pores.mapping()),
-    rest_(rest),
+    solids_(solids),
+    mapping_(solids.mapping()),
+    hydrostatic_(hydrostatic),
     coarseGraining_(coarseGraining),
     laws_(exchange.mesh(), dict),
     meanVelocity_(exchange, mapping_)
@@ -71,10 +71,10 @@ inline Foam::vector Foam::grainForces::unsupportedLoad
     const vector& lift
 ) const
 {
-    const vector weight(grain.mass*rest_.g());
+    const vector weight(grain.mass*hydrostatic_.g());
     const vector buoyancy
     (
-       -laws_.pressureGradient*volume*rest_.gradient(rhoAround)
+       -laws_.pressureGradient*volume*hydrostatic_.gradient(rhoAround)
     );
     const vector viscous(laws_.viscousForce*volume*viscousForce);
     const vector load(weight + grain.fluidForce);
@@ -243,7 +243,7 @@ Foam::List<Foam::List<Foam::givenByGrain>> Foam::grainForces::coefficients
         weights.noSums<givenByGrain>()
     );
 
-    // What a block of grains is asked for stays in the nearest cache
+    // The data of a block of grains stays in the nearest cache
     List<grainState> states(blockOfGrains);
     List<fluidAtGrain> fluids(blockOfGrains);
     scalarField K(blockOfGrains);
@@ -314,7 +314,7 @@ void Foam::grainForces::setBegun
         {
             fluid.U,
             vectorField(fluid.U.size(), Zero),
-            rest_.gradient(fluid.rho),
+            hydrostatic_.gradient(fluid.rho),
             fluid.viscousForce,
             fluid.rho,
             Zero
@@ -347,14 +347,14 @@ Foam::List<Foam::List<Foam::vector>> Foam::grainForces::loadElsewhere
     const fluidMeans& means
 ) const
 {
-    const excessVolume& excess = voidFraction_.excess();
+    const excessVolume& excess = solids_.excess();
 
     if (!excess.moved())
     {
         return List<List<vector>>();
     }
 
-    const vectorField atRest(rest_.gradient(means.rho));
+    const vectorField atRest(hydrostatic_.gradient(means.rho));
     vectorField load
     (
        -laws_.pressureGradient
@@ -401,7 +401,7 @@ Foam::Tuple2<Foam::vector, Foam::scalar> Foam::grainForces::finish
     forAll(force_, i)
     {
         const meanAtGrain fluid(mapping_.mean(around, i));
-        const vector atRest(rest_.gradient(fluid.rhoAround));
+        const vector atRest(hydrostatic_.gradient(fluid.rhoAround));
         const vector excess(fluid.pressureGradient - atRest);
 
         force_[i] =

@@ -6,16 +6,16 @@
 Foam::interphaseForces::interphaseForces
 (
     const grainExchange& exchange,
-    const voidFraction& pores,
+    const solidFractionField& solids,
     const dictionary& dict,
-    const hydrostatics& rest,
+    const hydrostatics& hydrostatic,
     const scalar coarseGraining
 )
 :
     mesh_(exchange.mesh()),
-    voidFraction_(pores),
-    rest_(rest),
-    grains_(exchange, pores, dict, rest, coarseGraining),
+    solids_(solids),
+    hydrostatic_(hydrostatic),
+    grains_(exchange, solids, dict, hydrostatic, coarseGraining),
     division_(mesh_),
     dragCoefficient_(mesh_.nCells(), Zero),
     virtualMassCoefficient_(mesh_.nCells(), Zero),
@@ -31,7 +31,7 @@ void Foam::interphaseForces::prepare
     const scalar interval
 )
 {
-    const particleMeshMapping& mapping = voidFraction_.mapping();
+    const particleMeshMapping& mapping = solids_.mapping();
     const List<List<givenByGrain>> sums(grains_.prepare(fluid, interval));
     const auto perVolume = [&](const auto member, const smoothingModel& smoothing)
     {
@@ -75,7 +75,7 @@ Foam::vector Foam::interphaseForces::takenFromFluid
 ) const
 {
     const scalarField& volume = mesh_.V();
-    const scalarField& solid = voidFraction_.solidFraction();
+    const scalarField& solid = solids_.solidFraction();
     const scalar viscous = viscousForceStrength();
     vector taken(-means.fromPressure);
 
@@ -86,7 +86,7 @@ Foam::vector Foam::interphaseForces::takenFromFluid
             dragCoefficient_[cell]*means.U[cell]
           + virtualMassCoefficient_[cell]*means.acceleration[cell]
           + explicitForce_[cell]
-          - solid[cell]*rest_.gradient(means.rho[cell])
+          - solid[cell]*hydrostatic_.gradient(means.rho[cell])
         );
 
         if (viscous > 0)

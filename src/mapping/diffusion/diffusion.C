@@ -150,8 +150,8 @@ void Foam::smoothingModels::diffusion::warnOfJump(const scalar next)
         warnedOfJump_ = true;
         WarningInFunction
             << "The mean diameter of grains of like size went from " << first
-            << " to " << next << " m (said once), and with it the width"
-            << " of their smoothing: the void fraction changes also where"
+            << " to " << next << " m (reported once), and with it the width"
+            << " of their smoothing: the void fraction also changes where"
             << " no grain moves, and drives water there." << nl
             << "    Give voidFraction/smoothing of constant/granularProperties a"
             << " diameter of its own, as: diameter " << first << ";"

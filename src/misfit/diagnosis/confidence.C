@@ -86,20 +86,20 @@ scalar lead(const finding& f)
 }
 
 
-//- Of the gates that were asked, how many passed
+//- Fraction of the tested gates that passed [-]
 scalar shareOfGates(const finding& f)
 {
-    label asked = 0;
+    label nTried = 0;
     label passed = 0;
     for (const gate& g : f.gates)
     {
         if (g.applies && g.kind != gateKind::detection)
         {
-            ++asked;
+            ++nTried;
             passed += g.passed;
         }
     }
-    return asked ? scalar(passed)/asked : 1;
+    return nTried ? scalar(passed)/nTried : 1;
 }
 
 

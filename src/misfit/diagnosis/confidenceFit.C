@@ -54,7 +54,7 @@ std::string fittedRow
         << "    constant    " << fit.constant << ";\n";
     forAll(groundNames, i)
     {
-        // What the fit leaves where nothing is to be told is rounding
+        // Where the data do not determine a coefficient, the fit leaves only rounding
         const scalar least = x.col(i).minCoeff();
         const scalar largest = x.col(i).maxCoeff();
         const bool changes = mag(fit.coefficients[i])*(largest - least) > 1e-6;

@@ -21,15 +21,15 @@ std::vector<int> alwaysFailing
     std::vector<int> never;
     forAll(s.names, m)
     {
-        label asked = 0;
+        label nTried = 0;
         label ran = 0;
         for (label i = 0; i < count(design); ++i)
         {
             const bool on = design[i][s.bounds.nParameters + m] > 0;
-            asked += on;
+            nTried += on;
             ran += on && given[i].ok();
         }
-        if (asked && !ran)
+        if (nTried && !ran)
         {
             never.push_back(m);
         }

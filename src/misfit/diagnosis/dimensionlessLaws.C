@@ -17,7 +17,7 @@ const wordList dragGroups({"", "Re_p", "voidFraction"});
 const wordList pushGroups({"", "Fr", "Re", "voidFraction"});
 
 
-//- True if it is not the same, or nothing, for all
+//- True if it is nonzero, or, beside a constant, if it varies
 bool tells(const vec& column, const bool beside)
 {
     const scalar size = column.cwiseAbs().maxCoeff();
@@ -64,7 +64,7 @@ struct groupFunctions
             }
         }
 
-        // From their middle, so that what is likely of one does not hang on another
+        // From their middle, so that the likelihood of one does not depend on another
         const scalar n = max(values.col(0).sum(), 1.0);
         for (label f = 1; f < values.cols(); ++f)
         {
@@ -104,7 +104,7 @@ struct groupFunctions
     }
 
 
-    //- Functions that tell the elements of the family apart
+    //- Functions that distinguish the elements of the family
     labelList telling(const bool drag) const
     {
         // Rows of its family only: elsewhere all functions are zero

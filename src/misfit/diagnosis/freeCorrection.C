@@ -175,7 +175,7 @@ void test
     found.left = scanResidual(c.s, r.best).p;
     found.isEnough = found.left >= c.s.set.adequacy;
     compareHere(c.s, c.given, r.given, c.s.validation.uncertainty(), found.held);
-    label asked = 0;
+    label nTried = 0;
     label held = 0;
     for (label i = 1; i < c.s.experiments.size(); ++i)
     {
@@ -183,11 +183,11 @@ void test
         const bool holds = holdsIn(c, other, r, known.at(other.experiment));
         if (other.use == purpose::validation && other.validation.size())
         {
-            ++asked;
+            ++nTried;
             held += holds;
         }
     }
-    found.transfers = asked && held == asked;
+    found.transfers = nTried && held == nTried;
     for (const heldOut& h : found.held)
     {
         const bool worse = h.squareAfter > h.squareBefore;
@@ -227,7 +227,7 @@ Foam::misfit::correcting::correcting(const study& whole, const scored& calibrate
 {
     const label nP = s.bounds.nParameters;
     atBase.head(nP) = base.best.x.head(nP);
-    found.asked = true;
+    found.isTried = true;
 }
 
 
@@ -251,9 +251,9 @@ Foam::misfit::correcting::compute(const scored& start)
     computed r(refit(s, start, &white));
     if (r.failure.size())
     {
-        const computed said(onSurface(s, r.best));
-        r.variables = said.variables;
-        r.given = said.given;
+        const computed atBest(onSurface(s, r.best));
+        r.variables = atBest.variables;
+        r.given = atBest.given;
     }
     return r;
 }
@@ -294,10 +294,10 @@ void Foam::misfit::correct
 )
 {
     // Where the fitted channels agree there is nothing to fit it to
-    const bool asked =
+    const bool tries =
         f.verdict == verdictKind::unknown && s.set.correction.size()
      && f.gates.passed(gateKind::detection);
-    if (!asked)
+    if (!tries)
     {
         return;
     }

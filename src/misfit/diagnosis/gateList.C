@@ -11,7 +11,7 @@ namespace
 
 using Foam::misfit::gateKind;
 
-//- What is asked: below the limit, or at least that; and whether any answer must pass
+//- Gates whose value must be below the limit, and gates that any answer must pass
 const std::vector<gateKind> below
 ({
     gateKind::detection, gateKind::heldOut, gateKind::transfer, gateKind::placebo
@@ -53,7 +53,7 @@ bool Foam::misfit::gateList::passed(const gateKind kind) const
     if (!statistics::contains(asked_, kind))
     {
         FatalErrorInFunction
-            << "The gate " << gateNames[kind] << " was never asked"
+            << "The gate " << gateNames[kind] << " was never tested"
             << exit(FatalError);
     }
     const auto fails = [kind](const gate& g) { return g.kind == kind && g.fails(); };

@@ -10,8 +10,8 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
-//- What the gates are asked of
-struct asked
+//- What the gates are tested on
+struct gateContext
 {
     const study& s;
 
@@ -42,7 +42,7 @@ struct asked
 
 //- The score that the mechanisms of the best, or its exchange, gain with nothing
 //  unknown beside them
-scalar gainAlone(const asked& a)
+scalar gainAlone(const gateContext& a)
 {
     if (a.what().mechanisms.size())
     {
@@ -60,7 +60,7 @@ scalar gainAlone(const asked& a)
 }
 
 
-gate computedGate(const asked& a)
+gate computedGate(const gateContext& a)
 {
     gate g(gateKind::computed, a.f.explained.find(a.what()) != nullptr, 1);
     g.applies = !a.what().isOnlyUnknown() && !a.what().isNone();
@@ -78,7 +78,7 @@ bool saySame(const hypothesis& best, const hypothesis& h)
 }
 
 
-gate gapGate(const asked& a)
+gate gapGate(const gateContext& a)
 {
     // The best of those that say the same leads
     scalar own = a.f.best().score;
@@ -103,7 +103,7 @@ gate gapGate(const asked& a)
 
 
 //- Beside something unknown only where that gains most of the score
-gate adequacyGate(const asked& a)
+gate adequacyGate(const gateContext& a)
 {
     gate g
     (
@@ -119,7 +119,7 @@ gate adequacyGate(const asked& a)
 
 
 //- What wins without a channel
-scored winnerWithout(const asked& a, const label channel)
+scored winnerWithout(const gateContext& a, const label channel)
 {
     const scored& best = a.f.best();
     const sampledModel rest(a.s.calibration.without(channel));
@@ -160,7 +160,7 @@ scored winnerWithout(const asked& a, const label channel)
 
 //- The explanation still wins with each channel left out in turn; what wins instead
 //  is one of the winners
-gate stabilityGate(const asked& a)
+gate stabilityGate(const gateContext& a)
 {
     const std::vector<segment>& channels = a.s.calibration.data().segments;
     const bool applies = channels.size() > 1 && a.what().mechanisms.size();
@@ -184,7 +184,7 @@ gate stabilityGate(const asked& a)
 
 //- What is named is evidence by itself. Of a fault only where something unknown is
 //  beside it: else it is the evidence
-gate aloneGate(const asked& a)
+gate aloneGate(const gateContext& a)
 {
     gate g(gateKind::alone, a.alone, a.set().evidence);
     g.applies = a.what().mechanisms.size() || (a.what().fault && a.what().unknown);
@@ -193,7 +193,7 @@ gate aloneGate(const asked& a)
 
 
 //- A misfit with the wrong sign, or moved in time, gains less than half as much
-gate placeboGate(const asked& a)
+gate placeboGate(const gateContext& a)
 {
     // What held-out data confirm was seen at other times and places indeed
     const statistics::placebo placebo
@@ -220,7 +220,7 @@ std::map<Foam::word, Foam::misfit::covariance> Foam::misfit::askGates
 {
     Info<< "Gates" << endl;
     const settings& set = s.set;
-    asked a{s, mechanisms, f};
+    gateContext a{s, mechanisms, f};
     f.gates.add({gateKind::detection, f.detection.p, set.significance});
     f.gates.addNothing(gateKind::computed);
     const bool detected = f.gates.passed(gateKind::detection);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is asked of a diagnosis, from system/misfitDict.
+// The settings of a diagnosis, from system/misfitDict.
 
 #include "settings.H"
 #include "keywords.H"

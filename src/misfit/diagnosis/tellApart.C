@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What these channels can tell apart, and what measurement would settle the rest.
+// What these channels can distinguish, and which measurement would settle the rest.
 
 #include "stages.H"
 

@@ -16,7 +16,7 @@ void checkBases(study& s)
     {
         FatalErrorInFunction
             << "The base case did not run: " << given.first().failure.c_str()
-            << nl << "Mend the case first; nothing was diagnosed. If the case"
+            << nl << "Correct the case first; nothing was diagnosed. If the case"
             << " is sound, delete its folder in misfit/runs to have it run again"
             << exit(FatalError);
     }
@@ -28,7 +28,7 @@ void checkBases(study& s)
                 << "The base of the experiment "
                 << s.experiments[i].experiment << " did not run: "
                 << given[i].failure.c_str() << nl
-                << "It will confirm nothing until that is mended" << endl;
+                << "It confirms nothing until that is corrected" << endl;
         }
     }
 }
@@ -49,7 +49,7 @@ void checkFailure
             << "Replicate " << run << ", one of the "
             << s.set.commonRandomNumbers << " with common random numbers"
             << " that every state is computed with, failed: "
-            << why.c_str() << nl << "Mend 'replicateChanges'"
+            << why.c_str() << nl << "Correct 'replicateChanges'"
             << " in system/misfitDict, or ask for fewer with 'commonRandomNumbers'."
             << " Finished runs are kept" << exit(FatalError);
     }
@@ -64,7 +64,7 @@ void checkSpread(const label replicates, const label ran)
     {
         FatalErrorInFunction
             << "Of " << replicates << " replicates only " << ran
-            << " ran, so nothing is known of the spread between them: mend"
+            << " ran, so the spread between them is unknown. Correct"
             << " 'replicateChanges' in system/misfitDict. Finished runs are kept"
             << exit(FatalError);
     }
@@ -94,8 +94,9 @@ void checkAny
     }
     FatalErrorInFunction
         << "The run with other " << resolution << " failed: " << why.c_str() << nl
-        << "Without it what numerics change would be taken for physics. Mend resolution/"
-        << resolution << " in system/misfitDict, or take it out. Finished runs are kept"
+        << "Without it, numerical effects would be taken for physics. Correct"
+        << " resolution/" << resolution << " in system/misfitDict, or remove it."
+        << " Finished runs are kept"
         << exit(FatalError);
 }
 

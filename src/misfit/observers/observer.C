@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a run is asked to measure for a channel, and reading it afterwards.
+// What a run measures for a channel, and how its results are read.
 
 #include "observer.H"
 #include "keywords.H"
@@ -80,7 +80,7 @@ void observeProbe(observer& o)
         {
             FatalErrorInFunction
                 << "The channel " << c.name << " is at " << c.place()
-                << ", which is outside the mesh. Mend its place, or name the wall"
+                << ", which is outside the mesh. Correct its place, or name the wall"
                 << " that it is on:  patch <name>;" << exit(FatalError);
         }
         if (!hasDirection && table.rows[0].size() > 2)
@@ -128,7 +128,7 @@ void observeLevel(observer& o)
             FatalErrorInFunction
                 << "The line of the level " << c.name << " from "
                 << c.place() << " by " << span
-                << " leaves the mesh. Mend place or end" << exit(FatalError);
+                << " leaves the mesh. Correct place or end" << exit(FatalError);
         }
 
         scalarField sum(table.rows.size(), 0);

@@ -63,7 +63,7 @@ static string fault
     const labelList on(mesh.boundaryMesh().indices(name));
     if (on.empty())
     {
-        os << "is said to be on " << name
+        os << "names the patch " << name
             << ", but the mesh has the patches"
             << keywords::listed(mesh.boundaryMesh().names()).c_str();
     }
@@ -74,8 +74,8 @@ static string fault
     return os.str();
 }
 
-//- What is wrong with the height that the mesh is said to have; empty: nothing. Which
-//  way is up it does not know: only more than the diagonal is surely wrong
+//- What is wrong with the height given for a channel; empty: nothing. The function does
+//  not know which way is up: only more than the diagonal is surely wrong
 static string faultOfHeight(const polyMesh& mesh, const observer& o)
 {
     const scalar height = o.of.simulated.getOrDefault<scalar>("height", 0);
@@ -109,11 +109,11 @@ void Foam::misfit::checkPlaces
         wrong << faultOfHeight(mesh, o).c_str();
         for (const point& p : o.places)
         {
-            const string said(fault(mesh, o, p));
-            if (said.size())
+            const string problem(fault(mesh, o, p));
+            if (problem.size())
             {
                 wrong << "\n    " << o.of.name << " at " << p << ' '
-                    << said.c_str();
+                    << problem.c_str();
                 break;
             }
         }
@@ -122,7 +122,7 @@ void Foam::misfit::checkPlaces
     {
         FatalErrorInFunction
             << "Channels do not fit the mesh:" << wrong.str().c_str()
-            << nl << "    Mend them in system/misfitDict: metres, in the"
+            << nl << "    Correct them in system/misfitDict: in metres, in the"
             << " coordinates of the mesh" << exit(FatalError);
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a case will write for its channels, as far as its controlDict tells.
+// What a case will write for its channels, as far as its controlDict shows.
 
 #include "observer.H"
 #include "keywords.H"
@@ -75,8 +75,8 @@ Foam::string Foam::misfit::observer::doubtOfTable(const dictionary& control) con
     {
         os  << "reads what the function object " << name << " writes, and"
             << " system/controlDict has none of that name:"
-            << keywords::listed(functions.toc()).c_str() << ". Mend function, or add it,"
-            << " unless something else writes postProcessing/" << name;
+            << keywords::listed(functions.toc()).c_str() << ". Correct function, or add"
+            << " it, unless something else writes postProcessing/" << name;
         return os.str();
     }
 
@@ -92,7 +92,7 @@ Foam::string Foam::misfit::observer::doubtOfTable(const dictionary& control) con
     {
         os  << "is at " << c.at << " s, and the function object " << name
             << " writes every " << r.every << " s: the nearest is " << nearest
-            << " s. Mend at, or let it write at that time (system/controlDict)";
+            << " s. Correct at, or let it write at that time (system/controlDict)";
     }
     return os.str();
 }

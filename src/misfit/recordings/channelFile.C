@@ -248,8 +248,8 @@ Foam::misfit::recordedFile Foam::misfit::channel::readFile
     {
         FatalIOErrorInFunction(dict)
             << "The channel " << name << " has no recording: there is no file " << file
-            << ". Mend file or repeats, which are sought from the folder of the case, or take"
-            << " it out: a channel without a file is a measurement that could be made"
+            << ". Correct file or repeats, relative to the folder of the case, or"
+            << " remove it: a channel without a file is a possible measurement"
             << exit(FatalIOError);
     }
     const numberTable table(csvTable(file));

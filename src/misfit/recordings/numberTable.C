@@ -161,7 +161,7 @@ Foam::label Foam::misfit::numberTable::find(const string& name) const
         i = names[j].substr(0, end) == name ? j : -1;
     }
 
-    // What is named, and not in the first row, column() tells with the row's line
+    // If the first row lacks a named column, column() reports the line of that row
     if (i < 0 || i >= max(names.size(), rows.first().size()))
     {
         FatalErrorInFunction
@@ -184,8 +184,8 @@ Foam::scalarList Foam::misfit::numberTable::column(const label i) const
         {
             FatalErrorInFunction
                 << "Line " << lines[row] << " of the table " << file << " has "
-                << rows[row].size() << " columns; the one with number " << i + 1
-                << " was asked for" << exit(FatalError);
+                << rows[row].size() << " columns, but column " << i + 1
+                << " is needed" << exit(FatalError);
         }
         numbers[row] = rows[row][i];
     }

@@ -53,7 +53,7 @@ Foam::string Foam::misfit::describe(const correctionElement& e, const scalar val
         facts["factor"] = number(std::exp(value));
         facts["voidFraction"] = number(e.voidFraction);
         facts["Reynolds"] = number(e.Reynolds);
-        return said("element", facts);
+        return renderTemplate("element", facts);
     }
     const vector& d = e.direction;
     facts["size"] = number(mag(value));
@@ -65,7 +65,7 @@ Foam::string Foam::misfit::describe(const correctionElement& e, const scalar val
     facts["time"] = number(e.time);
     facts["begin"] = number(e.time - e.lasting.first());
     facts["end"] = number(e.time + e.lasting.second());
-    return said("element", facts);
+    return renderTemplate("element", facts);
 }
 
 
@@ -98,7 +98,7 @@ Foam::string Foam::misfit::describe(const fittedLaw& l)
         functions.back()[name] =
             drag ? json(withDeviation(std::exp(c), std::exp(c)*d)) : json(true);
     }
-    return said
+    return renderTemplate
     (
         "law",
         {{l.law.family, true}, {"functions", functions}, {"against", against}}
@@ -123,7 +123,7 @@ Foam::string Foam::misfit::describe(const correctionFound& c)
     {
         facts["lawThatFails"] = describe(c.laws[c.lawThatFails]);
     }
-    facts["noLaw"] = said("noLaw", facts);
+    facts["noLaw"] = renderTemplate("noLaw", facts);
     if (c.failure.empty() && acts)
     {
         facts["acts"] =
@@ -134,5 +134,5 @@ Foam::string Foam::misfit::describe(const correctionFound& c)
             });
     }
     addHeld(facts, c);
-    return said("correction", facts);
+    return renderTemplate("correction", facts);
 }

@@ -62,7 +62,7 @@ mustache::mustache checkedTemplate(const word& file, const string& text)
             << "Line " << 1 + std::count(text.begin(), text.begin() + before, '\n')
             << " of " << fileName("$INTERDEMFOAM_DIR/etc/misfit/" + file).expand()
             << ", which a report is made with: " << fault.substr(0, at)
-            << ". Mend it, or restore the file from the sources" << exit(FatalError);
+            << ". Correct it, or restore the file from the sources" << exit(FatalError);
     }
     return parsed;
 }
@@ -89,7 +89,7 @@ std::string Foam::misfit::filled(const word& file, const json& from)
 }
 
 
-Foam::string Foam::misfit::said(const word& part, const json& facts)
+Foam::string Foam::misfit::renderTemplate(const word& part, const json& facts)
 {
     static mustache::mustache words
     (

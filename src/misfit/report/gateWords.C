@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A finding in words: what was asked at the gates.
+// The gates of a finding in words.
 
 #include "words.H"
 #include "record.H"
 #include "report.H"
 
-Foam::misfit::json Foam::misfit::asked(const gate& g, const finding& f)
+Foam::misfit::json Foam::misfit::gateWords(const gate& g, const finding& f)
 {
     const auto number = [](const scalar x) { return shortNumber(x, 3); };
     const bool isCounted =
@@ -38,9 +38,8 @@ Foam::misfit::json Foam::misfit::asked(const gate& g, const finding& f)
     return
     {
         {"name", gateNames[g.kind]},
-        {"asked", said("asked", facts)},
-        {"value", said("value", facts)},
-        {"bound", said("bound", facts)},
-        {"result", g.applies ? g.passed ? "passed" : "failed" : "none"}
+        {"asked", renderTemplate("asked", facts)},
+        {"value", renderTemplate("value", facts)},
+        {"bound", renderTemplate("bound", facts)}
     };
 }

@@ -59,7 +59,7 @@ bool isMeant(const finding& f, const word& name)
 string outcome(const heldOut& h)
 {
     const scalar share = removed(h);
-    return said
+    return renderTemplate
     (
         "outcome",
         {
@@ -134,24 +134,23 @@ string notAsked(const misfit::gate& g, const hypothesis& judged)
 {
     return
         g.applies ? ""
-      : judged.isOnlyUnknown() ? "not asked: nothing that is known is judged"
+      : judged.isOnlyUnknown() ? "not tested: the answer has no known cause"
       : g.kind == gateKind::adequacy && judged.unknown
-      ? "not asked: the answer has something unknown, which takes up what is left"
-      : "nothing to ask";
+      ? "not tested: the answer has something unknown, which takes up what is left"
+      : "nothing to test";
 }
 
 
-//- Adds to the gates of the record what came of them
-void addSaid(json& gates, const finding& f)
+//- A gate in words, and what came of it
+json gateRow(const misfit::gate& g, const finding& f)
 {
-    auto j = gates.begin();
-    for (const misfit::gate& g : f.gates)
-    {
-        (*j)["why"] = notAsked(g, f.best().what);
-        (*j++)["said"] =
-            g.passed ? "passed"
-          : g.kind == gateKind::detection ? "no misfit beyond chance" : "failed";
-    }
+    json row(gateWords(g, f));
+    row["why"] = notAsked(g, f.best().what);
+    row["outcome"] =
+        g.passed ? "passed"
+      : g.kind == gateKind::detection ? "no misfit beyond chance" : "failed";
+
+    return row;
 }
 
 
@@ -234,7 +233,7 @@ string caption(const finding& f, const word& name)
         facts["before"] = number(h.squareBefore);
         facts["after"] = changes ? number(h.squareAfter) : string();
     }
-    return said("caption", facts);
+    return renderTemplate("caption", facts);
 }
 
 
@@ -271,13 +270,13 @@ std::string Foam::misfit::reportHtml
     // Where mechanisms are named, what they change counts too
     page["isOfCause"] = f.strengths.size() && !f.best().what.unknown;
     keepFirst(5, page["located"]);
-    if (f.correction.asked)
+    if (f.correction.isTried)
     {
         addToCorrection(page["freeCorrection"], f.correction);
     }
     page["explanations"] = f.explained.all().size();
     page["scored"] = scoredFirst(f);
-    addSaid(page["gates"], f);
+    page["gates"] = each(f.gates, [&f](const misfit::gate& g) { return gateRow(g, f); });
     page["distances"] = distances(f);
     page["sources"] = each(f.sources, [](const auto& s) { return s.first; });
     page["uncertain"] =

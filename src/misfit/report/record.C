@@ -14,7 +14,7 @@ using namespace Foam;
 using namespace Foam::misfit;
 
 //- Of the record: grows with each change of what its keys are or mean
-constexpr label schema = 4;
+constexpr label schema = 5;
 
 
 //- What is at its bound has none
@@ -214,6 +214,22 @@ json apart(const finding& f)
     return all;
 }
 
+//- A gate: its number, and whether that must be below the limit or at least as large.
+//  Both are in the unit of the gate, most of them without one
+json gateNumbers(const gate& g)
+{
+    return
+    {
+        {"name", gateNames[g.kind]},
+        {"value", g.value},
+        {"limit", g.limit},
+        {"bound", mustBeBelow(g.kind) ? "below" : "atLeast"},
+        {"experiment", g.experiment},
+        {"result", g.applies ? g.passed ? "passed" : "failed" : "none"}
+    };
+}
+
+
 } // End anonymous namespace
 
 
@@ -239,9 +255,9 @@ Foam::misfit::recordOf(const finding& f, const string& title)
         {"located", each(f.located, [&f](const place& p) { return located(p, f.data); })},
         {"calibration", parameters(f)},
         {"uncertainty", uncertainty(f)},
-        {"gates", each(f.gates, [&f](const misfit::gate& g) { return asked(g, f); })},
+        {"gates", each(f.gates, &gateNumbers)},
         {"heldOut", each(f.held, &match)},
-        {"freeCorrection", f.correction.asked ? freeCorrection(f.correction) : json()},
+        {"freeCorrection", f.correction.isTried ? freeCorrection(f.correction) : json()},
         {"posterior", posterior(f)},
         {"dropped", each(f.dropped, why)},
         {"failedRuns", each(f.failedRuns, [](const auto& run) { return describe(run); })},

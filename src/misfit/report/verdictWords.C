@@ -47,7 +47,7 @@ string theBest(const finding& f)
         facts[more ? "simple" : "alone"] = describe(what, f.library);
         facts["more"] = more ? describe(more->what, f.library) : string();
     }
-    return said("theBest", facts);
+    return renderTemplate("theBest", facts);
 }
 
 
@@ -141,7 +141,7 @@ bool mayBeTogether(const finding& f)
 }
 
 
-//- The strengths; said of the first: what they were fitted with, if not what is named
+//- The strengths. The first also names what they were fitted with, if not what is named
 json strengths(const finding& f)
 {
     const bool ofMore = f.verdict == verdictKind::set || f.partly;
@@ -285,13 +285,13 @@ Foam::string Foam::misfit::describe(const finding& f)
     {
         addLeftOut(facts, f);
     }
-    return said("verdict", facts) + (c.asked ? ' ' + describe(c) : string());
+    return renderTemplate("verdict", facts) + (c.isTried ? ' ' + describe(c) : string());
 }
 
 
 Foam::string Foam::misfit::sureThat(const finding& f)
 {
-    return said
+    return renderTemplate
     (
         "sure",
         {

@@ -82,7 +82,7 @@ Foam::string Foam::misfit::describe
         facts["left"] = number(100*(1 + u[u.size() - 1]));
         facts["up"] = u[0] > 0;
     }
-    return said("fault", facts);
+    return renderTemplate("fault", facts);
 }
 
 
@@ -150,7 +150,7 @@ Foam::string Foam::misfit::describe(const place& p, const stacked& data)
         facts["axis"] = axisOf(s);
         facts["phase"] = phaseOf(s, data.y, w);
     }
-    return said("place", facts);
+    return renderTemplate("place", facts);
 }
 
 
@@ -169,7 +169,7 @@ Foam::string Foam::misfit::describe(const heldOut& h)
 Foam::string Foam::misfit::describe(const droppedCandidate& d)
 {
     const char* const reasons[] = {"failedAlways", "failed", "opposite", "small"};
-    return said
+    return renderTemplate
     (
         "dropped",
         {
@@ -197,7 +197,7 @@ Foam::string Foam::misfit::adviceOf(const finding& f)
     {
         return i < count(a.two) ? describe(a.two[i], f.library) : string();
     };
-    return said
+    return renderTemplate
     (
         "advice",
         {

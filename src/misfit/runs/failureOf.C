@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said where something fails, instead of the end of the program.
+// The error of a function that fails, as text, instead of the end of the program.
 
 #include "failureOf.H"
 #include "error.H"

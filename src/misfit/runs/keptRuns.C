@@ -150,8 +150,8 @@ Foam::misfit::keptRuns::table Foam::misfit::keptRuns::read() const
     const auto stop = [this](const char* why)
     {
         FatalErrorInFunction
-            << "The file of runs " << file << ' ' << why << ". Delete it to have them"
-            << " computed anew" << exit(FatalError);
+            << "The file of runs " << file << ' ' << why << ". Delete it to"
+            << " compute them again" << exit(FatalError);
     };
     const auto hasLine = [&]()
     {
@@ -236,7 +236,7 @@ void Foam::misfit::keptRuns::checkStopped(const stringList& stopped) const
             << stopped.size() << " runs have no end, the first of them "
             << stopped[0].c_str() << ": they were killed by somebody else, perhaps by a"
             << " machine without room, or took longer than timeLimit, perhaps beside"
-            << " others. Start this again, with a longer timeLimit where it was that: "
+            << " others. Start this again, with a longer timeLimit in that case: "
             << file << " has those that ended" << exit(FatalError);
     }
 }
@@ -260,12 +260,12 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::keptRuns::grown
     {
         tell(runs, timer.elapsedTime()/max(first, label(1)), first ? end - first : 0);
         const labelList some(SubList<label>(todo, min(batch, end - first), first));
-        const List<runState> asked(UIndirectList<runState>(states, some));
-        const List<prediction> more(ask.predict(asked));
+        const List<runState> missing(UIndirectList<runState>(states, some));
+        const List<prediction> more(ask.predict(missing));
         forAll(some, i)
         {
             const string& name = names[some[i]];
-            if (ask.wasStopped(asked[i]))
+            if (ask.wasStopped(missing[i]))
             {
                 stopped.append(name);
                 continue;

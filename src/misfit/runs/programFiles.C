@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which programs make the runs, to tell when they are others.
+// Which programs make the runs, to detect when they change.
 
 #include "programFiles.H"
 

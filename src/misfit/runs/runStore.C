@@ -9,8 +9,9 @@
 #include "SHA1.H"
 
 #include <algorithm>
-#include <cstdlib>
+#include <csignal>
 #include <fcntl.h>
+#include <sstream>
 #include <sys/file.h>
 #include <thread>
 #include <unistd.h>
@@ -25,56 +26,73 @@ using namespace Foam::misfit;
 const word failedBefore("failedBefore");
 
 
-//- How a run ended, by the file that etc/misfitRun writes then: "ok <seconds>", or "failed
-//  <seconds>", a line with the reason and the solver's words. Empty: it has not ended, or
-//  nobody knows how
+//- How a run ended, by the file that etc/misfitRun writes then. Its first line is "ok
+//  <seconds>", "failed <seconds> exit <status>" or "failed <seconds> limit <seconds>";
+//  the reason and the solver's words follow. No file, or an empty one: it has not ended,
+//  or nobody knows how
 struct runEnd
 {
-    fileName file;
+    const fileName file;
 
-    string said;
+    //- All of the file
+    const string content;
+
+    //- ok or failed
+    std::string how;
+
+    //- Time that it took [s]
+    scalar seconds = 0;
+
+    //- Exit status of the command that failed; 0: none did, or it was out of time
+    label exitStatus = 0;
+
+    //- The limit that it did not keep [s]; -1: it did
+    scalar limit = -1;
 
 
     explicit runEnd(const fileName& run)
     :
         file(run/"finished"),
-        said(contentOf(file))
-    {}
+        content(contentOf(file))
+    {
+        std::istringstream line(content.substr(0, content.find('\n')));
+        std::string key;
+        scalar value = 0;
+
+        line >> how >> seconds;
+        if (line >> key >> value)
+        {
+            if (key == "limit")
+            {
+                limit = value;
+            }
+            else if (key == "exit")
+            {
+                exitStatus = label(value);
+            }
+        }
+    }
+
+    bool isKnown() const
+    {
+        return content.size();
+    }
 
     bool isWell() const
     {
-        return said.find("ok") == 0;
+        return how == "ok";
     }
 
-    //- The line that says why it failed
-    string reason() const
-    {
-        const auto first = std::min(said.find('\n'), said.size() - 1) + 1;
-        return said.substr(first, said.find('\n', first) - first);
-    }
-
-    //- The limit that it did not keep [s]; -1: it did
-    scalar limit() const
-    {
-        const string words(" took longer than ");
-        const string why(reason());
-        const auto at = why.find(words);
-        return at == string::npos ? -1 : std::atof(why.c_str() + at + words.size());
-    }
-
-    //- Killed by somebody else, perhaps by a machine without room, or asked to stop
-    bool isKilled() const
-    {
-        const string why(reason());
-        return
-            why.find(" ended with 137") != string::npos
-         || why.find(" ended with 143") != string::npos;
-    }
-
-    //- It did not fail by itself: killed, or out of time
+    //- It did not fail by itself: out of time, killed (SIGKILL), or ended (SIGTERM)
     bool isStopped() const
     {
-        return limit() >= 0 || isKilled();
+        return limit >= 0 || exitStatus == 128 + SIGKILL || exitStatus == 128 + SIGTERM;
+    }
+
+    //- The reason and the solver's words
+    string words() const
+    {
+        return content.substr(std::min(content.find('\n'), content.size()));
     }
 };
 
@@ -110,8 +128,8 @@ void Foam::misfit::runStore::prepare
     const runEnd end(target);
     const string failed
     (
-        end.said.size() && !end.isStopped()
-      ? end.said : contentOf(target/failedBefore)
+        end.isKnown() && !end.isStopped()
+      ? end.content : contentOf(target/failedBefore)
     );
     if (isDir(target))
     {
@@ -173,12 +191,12 @@ void Foam::misfit::runStore::make(const wordHashSet& todo) const
     }
     for (const word& run : todo)
     {
-        if (runEnd(folder_/run).said.empty())
+        if (!runEnd(folder_/run).isKnown())
         {
             FatalErrorInFunction
                 << "It is not known how the run " << folder_/run << " ended: it"
                 << " has no file 'finished', or an empty one. Is the disk full, or"
-                << " the folder not yours to write? Mend that and start misfitFoam"
+                << " the folder not yours to write? Correct that and start misfitFoam"
                 << " again to go on" << exit(FatalError);
         }
     }
@@ -257,13 +275,13 @@ bool Foam::misfit::runStore::isFinished(const wantedRun& run) const
 {
     const word its(name(run));
     const runEnd end(folder_/its);
-    if (end.said.empty() || end.isWell() || tried_.found(its))
+    if (!end.isKnown() || end.isWell() || tried_.found(its))
     {
-        return end.said.size();
+        return end.isKnown();
     }
-    if (end.limit() >= 0)
+    if (end.limit >= 0)
     {
-        return timeLimit_ <= end.limit();
+        return timeLimit_ <= end.limit;
     }
 
     // That it failed need not be its own fault: the disk may have been full. But
@@ -279,10 +297,9 @@ Foam::string Foam::misfit::runStore::failure(const wantedRun& run) const
     {
         return string();
     }
-    const string words(end.said.substr(std::min(end.said.find('\n'), end.said.size())));
     return
-        words.size()
-      ? words
+        end.words().size()
+      ? end.words()
       : string("how it ended is not known: no reason stands in " + end.file);
 }
 
@@ -295,8 +312,7 @@ bool Foam::misfit::runStore::wasStopped(const wantedRun& run) const
 
 Foam::scalar Foam::misfit::runStore::seconds(const wantedRun& run) const
 {
-    const string said(runEnd(folder_/name(run)).said);
-    return std::atof(said.c_str() + std::min(said.find(' '), said.size()));
+    return runEnd(folder_/name(run)).seconds;
 }
 
 

@@ -31,7 +31,7 @@ void Foam::misfit::runStore::checkPrograms() const
         {
             FatalErrorInFunction
                 << "There is no program '" << program.c_str() << "', which"
-                << " commands in " << dictName_ << " begins with. Mend the"
+                << " commands in " << dictName_ << " begins with. Correct the"
                 << " name, or build it" << exit(FatalError);
         }
     }
@@ -55,10 +55,10 @@ void Foam::misfit::runStore::checkSamePrograms(const List<wantedRun>& runs)
     {
         warnedOfPrograms_ = true;
         WarningInFunction
-            << "Finished runs in " << folder_ << " are used that were done before"
-            << " programs or libraries changed, " << others.sortedToc().first()
-            << " for instance (said once)." << nl
-            << "    Remove their folders if these compute something else now."
+            << "Finished runs in " << folder_ << " are used, although programs or"
+            << " libraries changed since, " << others.sortedToc().first()
+            << " for instance (reported once)." << nl
+            << "    Remove their folders if the programs compute something else now."
             << endl;
     }
 }

@@ -34,8 +34,8 @@ public:
 };
 
 
-//- Share of the mesh that water filled in the first step, by the log of interFoam or
-//  interDEMFoam in the folder of a run [-]; -1 if no log tells it
+//- Fraction of the mesh that water filled in the first step, by the log of interFoam or
+//  interDEMFoam in the folder of a run [-]; -1 if no log has it
 scalar waterAtFirst(const fileName& caseFolder)
 {
     const std::string words("Phase-1 volume fraction = ");
@@ -206,7 +206,7 @@ void Foam::misfit::solverPredictor::checkEnd
                 << (c.overTime() ? c.recorded.x.last() : c.at)
                 << " s: run longer (system/controlDict, or changes of the"
                 << " experiment), or "
-                << (c.overTime() ? "give the channel an interval" : "mend its at")
+                << (c.overTime() ? "give the channel an interval" : "correct its at")
                 << endl;
         }
     }

@@ -151,7 +151,7 @@ Foam::misfit::templateCase::templateCase
             FatalErrorInFunction
                 << "The case " << folder << " has no " << part.c_str()
                 << ", which its runs are made of. Start misfitFoam in the folder of a"
-                << " case, or mend files in its dictionary" << exit(FatalError);
+                << " case, or correct files in its dictionary" << exit(FatalError);
         }
     }
     digests_ = digests();

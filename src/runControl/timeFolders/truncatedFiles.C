@@ -26,8 +26,8 @@ bool collated(const fileName& file)
 }
 
 
-//- True where a file that OpenFOAM began ends as OpenFOAM ends it. Its own
-//  streams do not tell what is lost when the last of a file is flushed
+//- True where a file ends as OpenFOAM ends its files. OpenFOAM's own streams do
+//  not report what is lost when the last part of a file is flushed
 bool ended(const fileName& file)
 {
     IFstream is(file.hasExt("gz") ? fileName(file.lessExt()) : file);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Void fraction from the grains.
+// Solid fraction of the cells, from the grains.
 
-#include "voidFraction.H"
+#include "solidFractionField.H"
 
 #include "keywords.H"
 
-Foam::voidFraction::voidFraction
+Foam::solidFractionField::solidFractionField
 (
     const grainExchange& exchange,
     const dictionary& dict
@@ -31,7 +31,7 @@ Foam::voidFraction::voidFraction
 }
 
 
-void Foam::voidFraction::share(const bool keepClasses)
+void Foam::solidFractionField::share(const bool keepClasses)
 {
     mapping_.update
     (
@@ -49,7 +49,7 @@ void Foam::voidFraction::share(const bool keepClasses)
 }
 
 
-void Foam::voidFraction::update()
+void Foam::solidFractionField::update()
 {
     share(false);
     solidFraction_ = mapping_.spread(mapping_.volumes());
@@ -58,7 +58,7 @@ void Foam::voidFraction::update()
 }
 
 
-void Foam::voidFraction::report()
+void Foam::solidFractionField::report()
 {
     if (excess_.left() > max(1e-3*minimum_, 2*warnedOf_))
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far each grain may move before neighbours are looked for anew.
+// How far each grain may move before its neighbours are sought again.
 
 #include "grainSkins.H"
 

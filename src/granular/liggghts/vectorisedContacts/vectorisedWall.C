@@ -187,7 +187,7 @@ void Foam::vectorisedWall::flush(const int n)
             store(c.history[k] + springTorqueAt, c.springTorque(k));
         }
 
-        // As LIGGGHTS tells the wall's force: by what it changed
+        // LIGGGHTS reports the wall's force as the change of the grain's force
         const triple before = tripleAt(atom->f[i]);
         const triple after = before + c.force(k);
         store(atom->f[i], after);

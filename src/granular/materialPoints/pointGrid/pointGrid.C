@@ -166,7 +166,7 @@ Foam::label Foam::pointGrid::rankOf(const label cell) const
         return Pstream::myProcNo();
     }
 
-    // Most often asked for
+    // The most frequent case
     if (cell >= first_ && cell < last_)
     {
         return Pstream::myProcNo();

@@ -63,8 +63,8 @@ void Foam::historyForce::makeExponentials(const scalar interval)
     if (isRead && !fits)
     {
         Info<< "History force: its past is of an exchange interval of "
-            << readInterval_ << " s, now it is " << interval
-            << " s; it begins anew" << endl;
+            << readInterval_ << " s, which is now " << interval
+            << " s; it starts again from zero" << endl;
     }
     if (!isRead || !fits)
     {
@@ -180,7 +180,7 @@ void Foam::historyForce::read(const fileName& folder)
     if (!returnReduce(there, andOp<bool>()))
     {
         Info<< "History force: no past of this window is in " << folder
-            << "; it begins anew" << endl;
+            << "; it starts again from zero" << endl;
     }
 }
 

@@ -94,11 +94,11 @@ void Foam::historyForce::follow(const List<locatedGrain>& grains)
     HashTable<vectorList, label, Hash<label>> left;
     leaving.send(left);
 
-    const List<labelList> asked(swapLists(wanted));
+    const List<labelList> requests(swapLists(wanted));
     parcels fetched;
-    forAll(asked, rank)
+    forAll(requests, rank)
     {
-        for (const label id : asked[rank])
+        for (const label id : requests[rank])
         {
             if (left.found(id))
             {
