@@ -3,7 +3,7 @@
 # each, and means of the layers over the net erosion. Prints what is wrong where a
 # number is missing or the run did not reach its end.
 #
-#   awk -v run= -v hash= -v code= -v ranks= -v seconds= -v endTime= [-v pressure=] \
+#   awk -v run= -v hash= -v code= -v version= -v ranks= -v seconds= -v endTime= [-v pressure=] \
 #       -f runTables.awk -f bedLayers.awk -f row.awk tables...
 #
 # Of the bare flume, whose name begins with flume, it is another row: pressure is then
@@ -73,7 +73,7 @@ END {
         print "it ended at " t " s and not at " endTime " s"
         exit 1
     }
-    put("run", run); put("hash", hash); put("code", code)
+    put("run", run); put("hash", hash); put("code", code); put("version", version)
     put("ranks", ranks); put("seconds", seconds)
     put("endTime", endTime)
     putFront()
