@@ -358,7 +358,7 @@ TEST(drag, DiFeliceAsPrintedHindersTooMuchAtLargeReynolds)
 TEST(drag, asPrintedIsStrongerThanModelAByOneOverVoidFraction)
 {
     const auto modelA = law<dragModel>("model DiFelice;");
-    const auto output = law<dragModel>
+    const auto asPrinted = law<dragModel>
     (
         "model DiFelice; formulation asPrinted;"
     );
@@ -368,7 +368,7 @@ TEST(drag, asPrintedIsStrongerThanModelAByOneOverVoidFraction)
     const auto ratio = [&](const scalar Re)
     {
         const grainState s = atReynolds(state, Re);
-        return output->K(s)/modelA->K(s);
+        return asPrinted->K(s)/modelA->K(s);
     };
 
     EXPECT_NEAR(ratio(1e-6), 1, 1e-3);

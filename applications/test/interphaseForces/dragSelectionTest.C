@@ -178,7 +178,7 @@ TEST(dragSelection, noneIsABaseAndAModel)
 
 TEST(dragSelection, theBaseTakesItsOwnSettings)
 {
-    const auto output = law<dragModel>
+    const auto asPrinted = law<dragModel>
     (
         "model DiFelice; formulation asPrinted;"
     );
@@ -188,7 +188,7 @@ TEST(dragSelection, theBaseTakesItsOwnSettings)
         "baseSettings { formulation asPrinted; }"
     );
 
-    EXPECT_EQ(blend->K(someState()), output->K(someState()));
+    EXPECT_EQ(blend->K(someState()), asPrinted->K(someState()));
     EXPECT_NE
     (
         blend->K(someState()),

@@ -71,15 +71,15 @@ void expectDivided(const fvMesh& mesh)
         fvc::reconstruct(force.division.atFaces(force.share)*force.net)()
        .primitiveField()
     );
-    const vectorField onGrains(force.division.atCells(force.net));
-    const vectorField grains((1 - force.share.primitiveField())*onGrains);
+    const vectorField perCell(force.division.atCells(force.net));
+    const vectorField grains((1 - force.share.primitiveField())*perCell);
     const scalarField& V = mesh.V();
-    const vector whole(gSum(V*onGrains));
+    const vector whole(gSum(V*perCell));
 
     EXPECT_LT(mag(gSum(V*(fluid + grains)) - whole), 1e-13*mag(whole));
 
     const vectorField alone(fvc::reconstruct(force.net)().primitiveField());
-    EXPECT_LT(gMax(mag(onGrains - alone)()), 1e-12*gMax(mag(alone)()));
+    EXPECT_LT(gMax(mag(perCell - alone)()), 1e-12*gMax(mag(alone)()));
 }
 
 } // End anonymous namespace

@@ -55,18 +55,6 @@ namespace
             exchange_.locate(*phase_);
         }
 
-        //- Number of the grains in each cell
-        scalarField numberOfGrains() const
-        {
-            scalarField n(exchange_.mesh().nCells(), Zero);
-            for (const locatedGrain& grain : exchange_.grains())
-            {
-                n[grain.cell] += 1;
-            }
-
-            return n;
-        }
-
         //- Their volume in each cell [m3], with this water fraction of the cells: the
         //  smoothing ends at its surface
         scalarField volumes(const scalarField& water)
@@ -213,22 +201,6 @@ scalar levelOf
 }
 
 
-//- Write what each cell costs a rank, for the weightField of decomposePar: as much for
-//  the fluid as for one grain
-void writeDecompositionWeight(const fvMesh& mesh, const scalarField& numberOfGrains)
-{
-    volScalarField weight
-    (
-        IOobject("decompositionWeight", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedScalar("weight", dimless, 1),
-        "zeroGradient"
-    );
-    weight.primitiveFieldRef() += numberOfGrains;
-    weight.write();
-}
-
-
 int main(int argc, char *argv[])
 {
     Foam::answerVersion(argc, argv);
@@ -297,7 +269,6 @@ int main(int argc, char *argv[])
 
     alpha.primitiveFieldRef() = shares(mesh, box, level);
     alpha.write();
-    writeDecompositionWeight(mesh, grains.numberOfGrains());
 
     const scalar beside = besidePlan(mesh, box, level);
     if (beside > 0)

@@ -305,15 +305,6 @@ bool Foam::liggghtsInstance::useNeighbourLists()
 }
 
 
-void Foam::liggghtsInstance::cutAt(const cutsOfMesh::planes& where)
-{
-    if (isKnown())
-    {
-        cutsOfMesh::replace(lmp_, where);
-    }
-}
-
-
 Foam::neighbourLists* Foam::liggghtsInstance::lists() const
 {
     return dynamic_cast<neighbourLists*>(lmp_->neighbor);

@@ -6,7 +6,6 @@
 #include "IFstream.H"
 #include "OStringStream.H"
 #include "Time.H"
-#include "cutsOfMesh.H"
 #include "fixFluidForce.H"
 #include "fixLocalDamping.H"
 #include "fixStepForce.H"
@@ -114,11 +113,6 @@ void Foam::liggghtsPhase::createGrains()
     const labelVector cut(cuts(mesh_.time()));
     if (cut.x())
     {
-        if (Pstream::parRun())
-        {
-            liggghts_.cutAt(cutsOfMesh::between(mesh_, cut));
-        }
-
         std::ostringstream os;
         // OpenFOAM numbers its parts with x as the fastest
         os  << "processors " << cut.x() << ' ' << cut.y() << ' ' << cut.z()

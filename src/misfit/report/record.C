@@ -214,17 +214,20 @@ json apart(const finding& f)
     return all;
 }
 
-//- A gate: its number, and whether that must be below the limit or at least as large.
-//  Both are in the unit of the gate, most of them without one
-json gateNumbers(const gate& g)
+//- A gate: what it is about, its number, and whether that must be below the limit or at
+//  least as large; channels without which another explanation wins; why a run failed.
+//  Numbers are in the unit of the gate, most of them without one
+json gateNumbers(const gate& g, const finding& f)
 {
     return
     {
         {"name", gateNames[g.kind]},
+        {"of", g.held < 0 ? string(g.experiment) : describe(f.tested[g.held])},
         {"value", g.value},
         {"limit", g.limit},
         {"bound", mustBeBelow(g.kind) ? "below" : "atLeast"},
-        {"experiment", g.experiment},
+        {"without", each(g.lost, [](const word& channel) { return channel; })},
+        {"failure", g.failure},
         {"result", g.applies ? g.passed ? "passed" : "failed" : "none"}
     };
 }
@@ -255,7 +258,7 @@ Foam::misfit::recordOf(const finding& f, const string& title)
         {"located", each(f.located, [&f](const place& p) { return located(p, f.data); })},
         {"calibration", parameters(f)},
         {"uncertainty", uncertainty(f)},
-        {"gates", each(f.gates, &gateNumbers)},
+        {"gates", each(f.gates, [&f](const misfit::gate& g) { return gateNumbers(g, f); })},
         {"heldOut", each(f.held, &match)},
         {"freeCorrection", f.correction.isTried ? freeCorrection(f.correction) : json()},
         {"posterior", posterior(f)},

@@ -28,8 +28,8 @@ const word failedBefore("failedBefore");
 
 //- How a run ended, by the file that etc/misfitRun writes then. Its first line is "ok
 //  <seconds>", "failed <seconds> exit <status>" or "failed <seconds> limit <seconds>";
-//  the reason and the solver's words follow. No file, or an empty one: it has not ended,
-//  or nobody knows how
+//  the reason and the solver's words follow. No file, an empty one, or a failure without
+//  exit or limit (versions before 0.4): it has not ended, or nobody knows how
 struct runEnd
 {
     const fileName file;
@@ -75,7 +75,7 @@ struct runEnd
 
     bool isKnown() const
     {
-        return content.size();
+        return isWell() || (how == "failed" && (exitStatus || limit >= 0));
     }
 
     bool isWell() const

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the pressure of the case at its start would be far from hydrostatic.
+// Where the pressure of the case at its start would be far from rest.
 
 #include "pressureChecks.H"
 
