@@ -3,14 +3,13 @@
  * preloaded (LD_PRELOAD), it stands before MPI's functions, which go on under
  * their own names PMPI_*. Counts from the start of exchange COUNT_FROM to that of
  * COUNT_TO; writes count.<rank> when the run ends. stages.h is made from the
- * solver's table of symbols.
+ * symbols of the library of the coupling.
  *
  * The stage is found on the stack of calls, as nothing of the solver tells it. */
 
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <execinfo.h>
-#include <link.h>
 #include <malloc.h>
 #include <mpi.h>
 #include <stdint.h>
@@ -40,17 +39,10 @@ static struct counts { long sent, bytes, calls, callBytes; } counted[N_CLASSES],
 static long exchange, mostHeap;
 static int lastClass = -1;
 
-static int findLoad(struct dl_phdr_info *info, size_t size, void *bias)
-{
-    (void)size;
-    *(uintptr_t *)bias = info->dlpi_addr;
-    return 1;
-}
-
 /* The class that an address of code stands for; FLUID if none */
 static int classOf(void *address)
 {
-    static uintptr_t bias, known[N_KNOWN];
+    static uintptr_t known[N_KNOWN];
     static unsigned char class[N_KNOWN];
     uintptr_t a = (uintptr_t)address;
     size_t at = (a >> 1)*2654435761u % N_KNOWN;
@@ -59,16 +51,17 @@ static int classOf(void *address)
     while (known[at] && known[at] != a) at = (at + 1) % N_KNOWN;
     if (known[at]) return class[at];
 
-    if (!bias) dl_iterate_phdr(findLoad, &bias);
     known[at] = a;
     class[at] = FLUID;
 
-    for (int i = 0; i < N_STAGES; ++i)
-        if (a - bias - stages[i].start < stages[i].size)
-            class[at] = FIRST_STAGE + i;
-
     if (dladdr(address, &info))
     {
+        uintptr_t offset = a - (uintptr_t)info.dli_fbase;
+        int ours = strstr(info.dli_fname, "libdemCoupling") != NULL;
+
+        for (int i = 0; i < N_STAGES; ++i)
+            if (ours && offset - stages[i].start < stages[i].size)
+                class[at] = FIRST_STAGE + i;
         if (strstr(info.dli_fname, "libliggghts")) class[at] = LIGGGHTS;
         if (info.dli_sname && strstr(info.dli_sname, "smoothingModels"))
             class[at] = SMOOTHING;
