@@ -23,7 +23,7 @@ namespace
 {
 
 //- Ranks other than the first print only failures. Each line has the name of the
-//  test (validation/unitTests.awk), since lines of ranks mix.
+//  test (validation/tools/unitTests.awk), since lines of ranks mix.
 class failurePrinter
 :
     public testing::EmptyTestEventListener

@@ -199,7 +199,7 @@ void Foam::liggghtsChecks::timeStep
         << " % of the Rayleigh time" << endl;
 
     // With a third a bed on a slope eroded up to five times as deep as with a
-    // fifth and with a tenth, which agree (validation/erosionStudy)
+    // fifth and with a tenth, which agree (validation/papers/erosionStudy)
     if (fraction > 0.25)
     {
         WarningInFunction
