@@ -197,13 +197,13 @@ function grainMesh()
         uniforms: {
             lo: {value: new THREE.Vector3(...about.lo)},
             span: {value: new THREE.Vector3(...span).multiplyScalar(65535/65534)},
-            f: {value: 0}, cutAt: {value: -1e9}, bar: {value: null},
+            f: {value: 0}, pixels: {value: 1}, cutAt: {value: -1e9}, bar: {value: null},
             upward: {value: new THREE.Vector3()}, light: {value: new THREE.Vector3()}
         },
         vertexShader: `
             attribute vec3 from, to; attribute vec2 values; attribute float radius, shade;
-            uniform vec3 lo, span; uniform float f, cutAt;
-            varying vec3 ray, centre; varying float r, value, tint;
+            uniform vec3 lo, span; uniform float f, cutAt, pixels;
+            varying vec3 ray, centre; varying float r, value, tint, near;
             bool there(vec3 p) { return p.x + p.y + p.z < 2.99999; }
             void main()
             {
@@ -212,33 +212,36 @@ function grainMesh()
                 vec3 p = a && b && !jump ? mix(from, to, f) : f < 0.5 ? from : to;
                 vec3 place = lo + span*p;
                 value = a && b ? mix(values.x, values.y, f) : f < 0.5 ? values.x : values.y;
-                tint = shade; r = radius;
+                tint = shade;
                 centre = (modelViewMatrix*vec4(place, 1.0)).xyz;
                 float far = length(centre);
-                if (!there(p) || place.y < cutAt || far <= radius)
+                // Where a grain is but a few pixels wide it is drawn a little larger and flat
+                near = smoothstep(1.0, 5.0, radius/far*pixels);
+                r = radius*mix(1.25, 1.0, near);
+                if (!there(p) || place.y < cutAt || far <= r)
                 {
                     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
                     return;
                 }
                 vec3 eye = centre/far, side = normalize(cross(eye, vec3(0.0, 1.0, 0.0001)));
-                float wide = radius*far/sqrt(far*far - radius*radius);
+                float wide = r*far/sqrt(far*far - r*r);
                 ray = centre + wide*(position.x*side + position.y*cross(side, eye));
                 gl_Position = projectionMatrix*vec4(ray, 1.0);
             }`,
         fragmentShader: `
             uniform sampler2D bar; uniform vec3 upward, light; uniform mat4 projectionMatrix;
-            varying vec3 ray, centre; varying float r, value, tint;
+            varying vec3 ray, centre; varying float r, value, tint, near;
             void main()
             {
                 vec3 eye = normalize(ray);
                 float along = dot(eye, centre), h = r*r - dot(centre, centre) + along*along;
                 if (h < 0.0) discard;
-                vec3 p = eye*(along - sqrt(h)), normal = (p - centre)/r;
-                vec3 colour = texture2D(bar, vec2(value, 0.5)).rgb*tint;
+                vec3 p = eye*(along - sqrt(h)), normal = normalize(mix(normalize(0.6*upward - eye), (p - centre)/r, 0.15 + 0.85*near));
+                vec3 colour = texture2D(bar, vec2(value, 0.5)).rgb*mix(1.0, tint, 0.4 + 0.6*near);
                 float sky = 0.5 + 0.5*dot(normal, upward);
                 float facing = max(-dot(normal, eye), 0.0);
                 float shine = pow(max(dot(reflect(-light, normal), -eye), 0.0), 24.0);
-                float bright = (0.34 + 0.36*sky + 0.5*max(dot(normal, light), 0.0))*(0.5 + 0.5*facing);
+                float bright = (0.34 + 0.36*sky + 0.5*max(dot(normal, light), 0.0))*(1.0 - 0.5*(1.0 - facing)*near);
                 gl_FragColor = vec4(colour*bright + 0.07*shine, 1.0);
                 vec4 clip = projectionMatrix*vec4(p, 1.0);
                 gl_FragDepthEXT = 0.5*clip.z/clip.w + 0.5;
@@ -439,6 +442,7 @@ function show(t)
     byId('slider').value = time;
     byId('clock').textContent = 't = ' + time.toFixed(decimals) + ' s';
     moveLines();
+    if (byId('follow').checked) follow();
     dirty = true;
 }
 
@@ -446,8 +450,33 @@ let decimals = 2;
 while (decimals < 5 && last && (times[last] - times[0])/last < 2*10**-decimals) decimals++;
 
 
+// The front of the grains, where the run has measured it
+const front = about.curves.find((curve) => /^Front/.test(curve.title));
+
+// Looks at the front
+function follow()
+{
+    const x = at(front, front.series[0].y, time);
+    if (x === null) return;
+    const level = box.lo[2] + 0.12*(box.hi[2] - box.lo[2]);
+    view.target.copy(flume.localToWorld(new THREE.Vector3(x - 0.05*(box.hi[0] - box.lo[0]), middle, level)));
+    aim();
+}
+
+function turnFollow()
+{
+    moved = byId('follow').checked;
+    fit();
+    if (!moved) return;
+    zoom(1/3);
+    follow();
+}
+
+
 // The camera circles a point: azimuth and elevation in degrees, as in etc/rayTrace
 
+// Until the user moves the camera, all stays in the picture
+let moved = false;
 const view = {azimuth: -28, elevation: 20, distance: 1, target: new THREE.Vector3()};
 
 function fit()
@@ -457,8 +486,25 @@ function fit()
         corners.push(flume.localToWorld(new THREE.Vector3(x, y, z)));
     const bounds = new THREE.Box3().setFromPoints(corners);
     bounds.getCenter(view.target);
-    view.distance = 0.1;
-    // Doubles the distance until all corners are in the picture, then narrows it
+    for (let k = 0; k < 3; k++)
+    {
+        fitDistance(corners);
+        centreOn(corners);
+    }
+    fitDistance(corners);
+}
+
+// Moves the camera so that the corners lie around the middle of the picture
+function centreOn(corners)
+{
+    const seen = corners.map((p) => p.clone().project(camera));
+    const middleOf = (c) => 0.5*(Math.max(...seen.map((p) => p[c])) + Math.min(...seen.map((p) => p[c])));
+    shift(-0.5*middleOf('x')*canvas.clientWidth, 0.5*middleOf('y')*canvas.clientHeight);
+}
+
+// Doubles the distance until all corners are in the picture, then narrows it
+function fitDistance(corners)
+{
     const inside = (distance) =>
     {
         view.distance = distance;
@@ -466,7 +512,7 @@ function fit()
         return corners.every((p) =>
         {
             const q = p.clone().project(camera);
-            return q.z < 1 && Math.abs(q.x) < 0.9 && Math.abs(q.y) < 0.84;
+            return q.z < 1 && Math.abs(q.x) < 0.92 && Math.abs(q.y) < 0.8;
         });
     };
     let near = 0.001, far = 0.01;
@@ -514,8 +560,6 @@ function zoom(factor)
     aim();
 }
 
-// Until the user moves the camera, all stays in the picture
-let moved = false;
 const fingers = new Map();
 canvas.addEventListener('pointerdown', (e) =>
 {
@@ -575,7 +619,7 @@ function addTick(text, place, kind, colour)
 function addTicks()
 {
     const [x0, y0, z0] = box.lo, [x1, , z1] = box.hi;
-    const off = 0.022*(x1 - x0);
+    const off = 0.016*(x1 - x0);
     for (const x of ticked(x0, x1, 6)) addTick(x, [x, y0 - off, z0 - off], '');
     addTick('x [m]', [0.5*(x0 + x1) + 0.07*(x1 - x0), y0 - 2.4*off, z0 - 2.4*off], 'name');
     const zs = ticked(z0, z1, 2.5).filter((z) => z > z0 + 0.2*(z1 - z0));
@@ -757,6 +801,7 @@ function words()
     if (about.dryNote) notes.push(about.dryNote);
     notes.push('Drag turns, the wheel zooms, Shift and drag (or two fingers) moves; Space plays, arrows step.');
     byId('notes').textContent = notes.join(' ');
+    byId('following').style.display = front ? '' : 'none';
     byId('wetting').style.display = water ? '' : 'none';
 }
 
@@ -823,6 +868,7 @@ byId('slider').oninput = () => { stop(); show(Number(byId('slider').value)); };
 byId('colour').onchange = legend;
 byId('water').onchange = legend;
 byId('cut').onchange = turnCut;
+byId('follow').onchange = turnFollow;
 byId('theme').onclick = () =>
 {
     const root = document.documentElement;
@@ -832,8 +878,7 @@ byId('theme').onclick = () =>
 for (const button of document.querySelectorAll('[data-from]')) button.onclick = () =>
 {
     [view.azimuth, view.elevation] = button.dataset.from.split(',').map(Number);
-    moved = false;
-    fit();
+    turnFollow();
 };
 document.addEventListener('keydown', (e) =>
 {
@@ -894,6 +939,7 @@ function draw()
 {
     dirty = false;
     const turned = new THREE.Matrix3().getNormalMatrix(camera.matrixWorldInverse);
+    balls.material.uniforms.pixels.value = 0.5*renderer.domElement.height/Math.tan(0.5*camera.fov*Math.PI/180);
     balls.material.uniforms.upward.value.set(0, 0, 1).applyMatrix3(turned).normalize();
     balls.material.uniforms.light.value.set(-0.35, 0.75, 0.55).normalize();
     renderer.render(scene, camera);
@@ -907,7 +953,7 @@ words();
 paces();
 byId('slider').min = times[0];
 byId('slider').max = times[last];
-for (const [id, value] of asked) if (/^(colour|water|cut)$/.test(id))
+for (const [id, value] of asked) if (/^(colour|water|cut|follow)$/.test(id))
 {
     if (id === 'colour') byId(id).value = value;
     else byId(id).checked = value === '1';
@@ -920,7 +966,7 @@ paint();
 resize();
 legend();
 turnCut();
-fit();
+turnFollow();
 if (asked.has('zoom'))
 {
     moved = true;
