@@ -85,7 +85,7 @@ const ramps =
     size: ['#c9b38c', '#b5825a', '#8f4f3c', '#4d2a35'],
     depth: ['#f2d9a0', '#d99a5b', '#a85a4a', '#65365c', '#2c2450']
 };
-const typeColours = ['#c8a36a', '#6d7683', '#b5573f', '#4f8a6b', '#8a6bb0', '#d0b53f'];
+const typeColours = ['#c8a36a', '#8492a6', '#b5573f', '#4f8a6b', '#8a6bb0', '#d0b53f'];
 
 const mixed = (list, f) =>
 {
@@ -512,7 +512,7 @@ function fitDistance(corners)
         return corners.every((p) =>
         {
             const q = p.clone().project(camera);
-            return q.z < 1 && Math.abs(q.x) < 0.92 && Math.abs(q.y) < 0.8;
+            return q.z < 1 && Math.abs(q.x) < 0.9 && Math.abs(q.y) < 0.8;
         });
     };
     let near = 0.001, far = 0.01;
@@ -606,39 +606,38 @@ function ticked(from, to, about5)
     return list;
 }
 
-function addTick(text, place, kind, colour)
+function addTick(text, place, kind, aside, colour)
 {
     const span = document.createElement('span');
     span.textContent = text;
     span.className = kind;
     if (colour) span.style.setProperty('--probe', colour);
     byId('ticks').appendChild(span);
-    ticks.push({span, place: new THREE.Vector3(...place)});
+    ticks.push({span, place: new THREE.Vector3(...place), aside});
 }
 
 function addTicks()
 {
     const [x0, y0, z0] = box.lo, [x1, , z1] = box.hi;
-    const off = 0.016*(x1 - x0);
-    for (const x of ticked(x0, x1, 6)) addTick(x, [x, y0 - off, z0 - off], '');
-    addTick('x [m]', [0.5*(x0 + x1) + 0.07*(x1 - x0), y0 - 2.4*off, z0 - 2.4*off], 'name');
+    for (const x of ticked(x0, x1, 6)) addTick(x, [x, y0, z0], '', [0, 17]);
+    addTick('x [m]', [0.5*(x0 + x1), y0, z0], 'name', [28, 36]);
     const zs = ticked(z0, z1, 2.5).filter((z) => z > z0 + 0.2*(z1 - z0));
-    for (const z of zs) addTick(z + ' m', [x0 - 1.3*off, y0, z], '');
+    for (const z of zs) addTick(z + ' m', [x0, y0, z], '', [-22, 0]);
     for (const curve of about.curves) curve.series.forEach((one, k) =>
     {
-        if (one.at) addTick(k + 1, one.at, 'probe', lineColours[k % lineColours.length]);
+        if (one.at) addTick(k + 1, one.at, 'probe', [0, 0], lineColours[k % lineColours.length]);
     });
 }
 
 function placeTicks()
 {
     const wide = canvas.clientWidth, high = canvas.clientHeight;
-    for (const {span, place} of ticks)
+    for (const {span, place, aside} of ticks)
     {
         const p = flume.localToWorld(place.clone()).project(camera);
         span.style.display = p.z < 1 && Math.abs(p.x) < 0.98 && Math.abs(p.y) < 0.97 ? '' : 'none';
-        span.style.left = 0.5*(p.x + 1)*wide + 'px';
-        span.style.top = 0.5*(1 - p.y)*high + 'px';
+        span.style.left = 0.5*(p.x + 1)*wide + aside[0] + 'px';
+        span.style.top = 0.5*(1 - p.y)*high + aside[1] + 'px';
     }
 }
 

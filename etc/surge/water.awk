@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The water of one moment for the page of surgePage, after waterColumns.awk:
+# The water of one moment for the page of surgePage, after gridded.awk and
+# waterColumns.awk:
 #
 #   awk -v about=FILE -f ../picture/waterColumns.awk -f water.awk cells.dat
 #
@@ -19,7 +20,7 @@ function twelve(h)
 }
 
 END {
-    if (!n) exit
+    if (!n || n != nx*ny*nz) exit
     for (j = 1; j <= ny; j++)
         for (i = 1; i <= nx; i++)
             printf "%s", (i, j) in top ? twelve(top[i, j]) twelve(low[i, j]) : "////"
