@@ -48,7 +48,8 @@ function grid(    i, j, k, c, w, v, x0, y0, z0, a)
             {
                 a = mean(i, j, k)
                 # Larger cells leave a gap
-                if (a < 0) a = mean(i, j, k - 1) < 0 ? mean(i, j, k + 1) : mean(i, j, k - 1)
+                if (a < 0 && mean(i, j, k - 1) >= 0 && mean(i, j, k + 1) >= 0)
+                    a = (mean(i, j, k - 1) + mean(i, j, k + 1))/2
                 printf "%.8g %.8g %.8g %.8g %.6g 0\n", x0 + (i + 0.5)*w, y0 + (j + 0.5)*w, \
                     z0 + (k + 0.5)*w, v, (a < 0 ? 0 : a)
             }

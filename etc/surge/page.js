@@ -149,7 +149,6 @@ if (!context)
     return;
 }
 const renderer = new THREE.WebGLRenderer({canvas, context, antialias: true});
-renderer.localClippingEnabled = true;
 const scene = new THREE.Scene(), camera = new THREE.PerspectiveCamera(28, 1, 0.001, 1000);
 
 // Gravity points down on the screen; x to the right
@@ -257,17 +256,24 @@ const balls = grainMesh();
 flume.add(balls);
 
 // Walls, floor and the edges of the box
-const cutPlane = new THREE.Plane();
 const wallMaterial = new THREE.MeshLambertMaterial({color: 0x9aa0a8, transparent: true, opacity: 0.55, side: THREE.DoubleSide, depthWrite: false});
-if (about.walls.length)
+const wallGeometry = about.walls.length ? new THREE.BufferGeometry() : null;
+if (wallGeometry)
 {
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(about.walls), 3));
-    geometry.computeVertexNormals();
-    flume.add(new THREE.Mesh(geometry, wallMaterial));
+    wallGeometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(about.walls), 3));
+    wallGeometry.computeVertexNormals();
+    flume.add(new THREE.Mesh(wallGeometry, wallMaterial));
 }
 const floorMaterial = new THREE.MeshBasicMaterial({side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2});
 const edgeMaterial = new THREE.LineBasicMaterial();
+
+// True where a wall is not at right angles to the axes: then the floor is among the walls
+function sloping()
+{
+    const normals = wallGeometry ? wallGeometry.attributes.normal.array : [];
+    return Array.from(normals).some((v) => Math.abs(v) > 0.02 && Math.abs(v) < 0.98);
+}
+
 function boxLines()
 {
     const [x0, y0, z0] = box.lo, [x1, y1, z1] = box.hi;
@@ -276,7 +282,7 @@ function boxLines()
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(pairs.flatMap((i) => corner[i])), 3));
     flume.add(new THREE.LineSegments(geometry, edgeMaterial));
-    if (about.walls.length && about.curved) return;
+    if (sloping()) return;
     const floor = new THREE.BufferGeometry();
     floor.setAttribute('position', new THREE.BufferAttribute(new Float32Array([0, 1, 2, 0, 2, 3].flatMap((i) => corner[i])), 3));
     flume.add(new THREE.Mesh(floor, floorMaterial));
@@ -301,7 +307,9 @@ function readWater()
     });
 }
 
-const water = about.water ? readWater() : null;
+// None where all columns are dry at all times
+const levelsRead = about.water ? readWater() : [];
+const water = levelsRead.some((frame) => frame.surface.some((h) => !isNaN(h))) ? levelsRead : null;
 const waterMaterial = new THREE.MeshPhongMaterial({color: 0x3f8fdb, specular: 0x99bbdd, shininess: 60, transparent: true,
     opacity: 0.5, side: THREE.DoubleSide, depthWrite: false});
 const waterMesh = new THREE.Mesh(new THREE.BufferGeometry(), waterMaterial);
@@ -796,8 +804,7 @@ function words()
     if (about.every > 1) notes.push(`To stay small, the page holds one of ${about.every} written times.`);
     notes.push(`Positions are rounded to ${written(1e3*Math.max(...span)/65534)} mm; between written times they are`
         + ' interpolated.');
-    if (water) notes.push('The water surface is that of each column of cells.');
-    if (about.dryNote) notes.push(about.dryNote);
+    if (water) notes.push(`The water surface is drawn by columns of cells, ${written(about.water.dx)} m long.`);
     notes.push('Drag turns, the wheel zooms, Shift and drag (or two fingers) moves; Space plays, arrows step.');
     byId('notes').textContent = notes.join(' ');
     byId('following').style.display = front ? '' : 'none';
