@@ -287,7 +287,6 @@ function boxLines()
     floor.setAttribute('position', new THREE.BufferAttribute(new Float32Array([0, 1, 2, 0, 2, 3].flatMap((i) => corner[i])), 3));
     flume.add(new THREE.Mesh(floor, floorMaterial));
 }
-boxLines();
 
 
 // Water: surface and underside of each column of cells, and two sides
@@ -310,6 +309,11 @@ function readWater()
 // None where all columns are dry at all times
 const levelsRead = about.water ? readWater() : [];
 const water = levelsRead.some((frame) => frame.surface.some((h) => !isNaN(h))) ? levelsRead : null;
+if (water)
+    for (const frame of water) for (const h of frame.surface) if (h > box.hi[2]) box.hi[2] = h;
+
+boxLines();
+
 const waterMaterial = new THREE.MeshPhongMaterial({color: 0x3f8fdb, specular: 0x99bbdd, shininess: 60, transparent: true,
     opacity: 0.5, side: THREE.DoubleSide, depthWrite: false});
 const waterMesh = new THREE.Mesh(new THREE.BufferGeometry(), waterMaterial);
@@ -354,11 +358,12 @@ function fillWater(i, f)
     const {nx, ny, x, y, dx, dy} = about.water, level = levels(i, f), points = [], index = [];
     const inside = (k, m) => Math.min(Math.max(k, 0), m - 1);
     // Corners: centres of the columns, and one more at each end
-    const xs = [x - dx/2], ys = [y - dy/2];
+    // The outer ones a little beyond the walls, into which grains are pressed
+    const beyond = 0.1*smallest, xs = [x - dx/2 - beyond], ys = [y - dy/2 - beyond];
     for (let a = 0; a < nx; a++) xs.push(x + a*dx);
     for (let b = 0; b < ny; b++) ys.push(y + b*dy);
-    xs.push(x + (nx - 0.5)*dx);
-    ys.push(y + (ny - 0.5)*dy);
+    xs.push(x + (nx - 0.5)*dx + beyond);
+    ys.push(y + (ny - 0.5)*dy + beyond);
     const column = (a, b) => inside(b - 1, ny)*nx + inside(a - 1, nx);
     const add = (px, py, pz) => points.push(px, py, pz)/3 - 1;
     const cut = byId('cut').checked;
@@ -390,6 +395,8 @@ function fillWater(i, f)
     const upper = sheet('surface', ends), lower = sheet('under', ends);
     join(upper[0], lower[0]);
     join(upper[1], lower[1]);
+    const bottom = sheet('under', rowsY), end = xs.length - 1;
+    for (const a of [0, end]) join(surface.map((row) => row[a]), bottom.map((row) => row[a]));
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(points), 3));
     geometry.setIndex(index);
@@ -520,7 +527,7 @@ function fitDistance(corners)
         return corners.every((p) =>
         {
             const q = p.clone().project(camera);
-            return q.z < 1 && Math.abs(q.x) < 0.9 && Math.abs(q.y) < 0.8;
+            return q.z < 1 && Math.abs(q.x) < 1 - 96/canvas.clientWidth && Math.abs(q.y) < 0.8;
         });
     };
     let near = 0.001, far = 0.01;
@@ -626,11 +633,11 @@ function addTick(text, place, kind, aside, colour)
 
 function addTicks()
 {
-    const [x0, y0, z0] = box.lo, [x1, , z1] = box.hi;
+    const [x0, y0, z0] = box.lo, [x1, y1, z1] = box.hi;
     for (const x of ticked(x0, x1, 6)) addTick(x, [x, y0, z0], '', [0, 17]);
     addTick('x [m]', [0.5*(x0 + x1), y0, z0], 'name', [28, 36]);
     const zs = ticked(z0, z1, 2.5).filter((z) => z > z0 + 0.2*(z1 - z0));
-    for (const z of zs) addTick(z + ' m', [x0, y0, z], '', [-22, 0]);
+    for (const z of zs) addTick(z + ' m', [x0, y1, z], '', [-22, 0]);
     for (const curve of about.curves) curve.series.forEach((one, k) =>
     {
         if (one.at) addTick(k + 1, one.at, 'probe', [0, 0], lineColours[k % lineColours.length]);
