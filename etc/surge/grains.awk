@@ -75,7 +75,7 @@ function shows(i,    across)
 {
     across = y[i] > middle ? y[i] - middle : middle - y[i]
     return across < d[i]/2 + 0.7*smallest \
-        || z[i] + d[i]/2 > low[place[i]] - 1.3*smallest
+        || z[i] + d[i]/2 > low[place[i]] - 1.1*smallest
 }
 
 function far(a, b, by) { return a - b > by || b - a > by }
@@ -129,7 +129,7 @@ function endOfTime(    i, j, g, X, Y, Z, V)
         shown++
         at[g] = times
         if (g in lastX && !far(X, lastX[g], 2) && !far(Y, lastY[g], 2) \
-            && !far(Z, lastZ[g], 2) && !far(V, lastV[g], 2 + V/20)) continue
+            && !far(Z, lastZ[g], 2) && !far(V, lastV[g], 5 + V/10)) continue
         put(g, X, Y, Z, V)
         lastX[g] = X; lastY[g] = Y; lastZ[g] = Z; lastV[g] = V
     }
