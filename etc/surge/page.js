@@ -196,12 +196,12 @@ function grainMesh()
         uniforms: {
             lo: {value: new THREE.Vector3(...about.lo)},
             span: {value: new THREE.Vector3(...span).multiplyScalar(65535/65534)},
-            f: {value: 0}, pixels: {value: 1}, cutAt: {value: -1e9}, bar: {value: null},
+            f: {value: 0}, pixels: {value: 1}, least: {value: n < 200 ? 4 : 0}, cutAt: {value: -1e9}, bar: {value: null},
             upward: {value: new THREE.Vector3()}, light: {value: new THREE.Vector3()}
         },
         vertexShader: `
             attribute vec3 from, to; attribute vec2 values; attribute float radius, shade;
-            uniform vec3 lo, span; uniform float f, cutAt, pixels;
+            uniform vec3 lo, span; uniform float f, cutAt, pixels, least;
             varying vec3 ray, centre; varying float r, value, tint, near;
             bool there(vec3 p) { return p.x + p.y + p.z < 2.99999; }
             void main()
@@ -216,7 +216,7 @@ function grainMesh()
                 float far = length(centre);
                 // Where a grain is but a few pixels wide it is drawn a little larger and flat
                 near = smoothstep(1.0, 5.0, radius/far*pixels);
-                r = radius*mix(1.25, 1.0, near);
+                r = max(radius*mix(1.25, 1.0, near), least*far/pixels);
                 if (!there(p) || place.y < cutAt || far <= r)
                 {
                     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
@@ -647,10 +647,15 @@ function addTicks()
 function placeTicks()
 {
     const wide = canvas.clientWidth, high = canvas.clientHeight;
+    let before = null;      // of the numbers; one too near to it is left out
     for (const {span, place, aside} of ticks)
     {
         const p = flume.localToWorld(place.clone()).project(camera);
-        span.style.display = p.z < 1 && Math.abs(p.x) < 0.98 && Math.abs(p.y) < 0.97 ? '' : 'none';
+        const at = [0.5*p.x*wide, 0.5*p.y*high];
+        const near = span.className === '' && before && Math.hypot(at[0] - before[0], at[1] - before[1]) < 32;
+        const shows = p.z < 1 && Math.abs(p.x) < 0.98 && Math.abs(p.y) < 0.97 && !near;
+        span.style.display = shows ? '' : 'none';
+        if (shows && span.className === '') before = at;
         span.style.left = 0.5*(p.x + 1)*wide + aside[0] + 'px';
         span.style.top = 0.5*(1 - p.y)*high + aside[1] + 'px';
     }
@@ -803,7 +808,7 @@ const count = (m) => m.toLocaleString('en-US');
 function words()
 {
     byId('title').textContent = document.title;
-    byId('what').textContent = `${count(about.all)} grains${water ? ' and water' : ''}, ${times[0]} to ${times[last]} s, `
+    byId('what').textContent = `${count(about.all)} grain${about.all > 1 ? 's' : ''}${water ? ' and water' : ''}, ${times[0]} to ${times[last]} s, `
         + `${times.length} written times`;
     const notes = [];
     if (about.drawn < about.all) notes.push(`Grains below others are left out while they are hidden: the page draws`
@@ -812,6 +817,7 @@ function words()
     notes.push(`Positions are rounded to ${written(1e3*Math.max(...span)/65534)} mm; between written times they are`
         + ' interpolated.');
     if (water) notes.push(`The water surface is drawn by columns of cells, ${written(about.water.dx)} m long.`);
+    if (n < 200) notes.push('A grain less than 8 pixels wide is drawn larger.');
     notes.push('Drag turns, the wheel zooms, Shift and drag (or two fingers) moves; Space plays, arrows step.');
     byId('notes').textContent = notes.join(' ');
     byId('following').style.display = front ? '' : 'none';
