@@ -6,6 +6,7 @@
 //   X0 X1 Y0 Y1 Z1     the flume: from to along and across, height shown, m
 //   Azimuth Elevation  from where it is seen, degrees; 0 0 is square from the side
 //   Apart              from the flume of a moment down to that of the next, m
+//   Drawn              1: walls are the bodies of solids.inc, in place of base and far wall
 //   Moments            how many; in this folder of each: grains<n>.inc, water<n>.inc
 //   Fastest            m/s, of the last colour of the grains; 0: colours are types
 //
@@ -13,6 +14,7 @@
 
 #version 3.7;
 #include "times.inc"
+#if (Drawn) #include "solids.inc" #end
 global_settings { assumed_gamma 1.0 max_trace_level 10 }
 background { rgb 1 }
 
@@ -99,10 +101,20 @@ light_source { Eye + Along*Unit rgb 0.28 shadowless }
     interior { ior 1.2 fade_distance 0.07 fade_power 1001 fade_color <0.10, 0.42, 0.72> }
 }
 
+#declare Film = texture
+{
+    pigment { rgbf <0.35, 0.60, 0.85, 0.55> }
+    finish { ambient 0.1 diffuse 0.4 specular 0.6 roughness 0.005 reflection { 0.02, 0.3 } }
+}
+
 // Base, wall at the far side, wall at the upper end; marks along the base
 #declare Plain = texture
 {
     pigment { rgb <0.80, 0.82, 0.84> } finish { ambient 0.2 diffuse 0.7 }
+}
+#declare Built = texture
+{
+    pigment { rgb <0.52, 0.50, 0.47> } finish { ambient 0.2 diffuse 0.7 }
 }
 #declare Ink = texture { pigment { rgb 0.08 } finish { ambient 1 diffuse 0 } }
 #macro Text(Words, Size, Place)
@@ -114,8 +126,17 @@ light_source { Eye + Along*Unit rgb 0.28 shadowless }
 #declare Step = (Length > 2 ? 1 : (Length > 1 ? 0.5 : (Length > 0.5 ? 0.2 : 0.05)));
 #declare Flume = union
 {
-    box { <X0 - Thick, -5*Thick, Y0 - Thick>, <X1, 0, Y1 + Thick> }
-    box { <X0 - Thick, 0, Y1>, <X1, Z1, Y1 + Thick> }
+    #if (Drawn)
+        box { <X0, -5*Thick, Y0 - Thick>, <X1, 0, Y0> }
+        intersection
+        {
+            union { Bodies() }
+            box { <X0, -5*Thick, Y0>, <X1, 10*Unit, 10*Unit> }
+        }
+    #else
+        box { <X0 - Thick, -5*Thick, Y0 - Thick>, <X1, 0, Y1 + Thick> }
+        box { <X0 - Thick, 0, Y1>, <X1, Z1, Y1 + Thick> }
+    #end
     #if (Back) box { <X0 - Thick, 0, Y0>, <X0, Z1, Y1> } #end
     #for (I, max(0, ceil(X0/Step)), floor(X1/Step - 0.1))
         box
