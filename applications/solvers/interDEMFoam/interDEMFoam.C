@@ -20,6 +20,7 @@
 #include "fluidTimeStep.H"
 #include "fpeGuard.H"
 #include "granularProperties.H"
+#include "lawLists.H"
 #include "masterErrorsFirst.H"
 #include "outputControl.H"
 #include "pressureChecks.H"
@@ -35,13 +36,23 @@ int main(int argc, char *argv[])
     argList::addNote
     (
         "Air and water (volume of fluid) with grains (discrete elements),"
-        " unresolved: cells are larger than grains."
+        " unresolved: cells are larger than grains.\n"
+        "\n"
+        "Example, in the folder of a case with mesh, water and grains:\n"
+        "    decomposePar\n"
+        "    mpirun -np 2 interDEMFoam -parallel"
     );
+    lawLists::addOptions();
 
     #include "postProcess.H"
 
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"
+    if (lawLists::print(args))
+    {
+        return 0;
+    }
+
     const masterErrorsFirst errors;
     timeFolders::putIncompleteAside(args);
     Info<< "Create time\n" << endl;

@@ -84,7 +84,24 @@ Foam::forceModels::forceModels(const fvMesh& mesh, const dictionary& dict)
     active.add("excessPressure", settingsOf(excessPressure));
     active.add("viscousForce", settingsOf(viscousForce));
 
-    keywords::check(dict, active.sortedToc());
+    keywords::check(dict, names());
+}
+
+
+Foam::wordList Foam::forceModels::names()
+{
+    return
+    {
+        "drag",
+        "excessPressure",
+        "history",
+        "lift",
+        "lubrication",
+        "pressureGradient",
+        "rotationalDrag",
+        "viscousForce",
+        "virtualMass"
+    };
 }
 
 
