@@ -2,10 +2,10 @@
 // Diagnoses of the surge in closed form, for the tests of verdicts and gates.
 
 #include "worldDiagnosis.H"
-#include "record.H"
 #include "temporaryFolder.H"
 #include "textFile.H"
 #include "verdictKind.H"
+#include "words.H"
 
 #include <gtest/gtest.h>
 
@@ -93,8 +93,8 @@ Foam::misfit::diagnose(worldSampler& s, const settings& set)
 
 void Foam::misfit::show(const finding& f)
 {
-    std::printf("%s: %s\n", verdictNames[f.verdict].c_str(), describe(f).c_str());
-    for (const gate& g : f.gates)
+    std::printf("%s: %s\n", verdictNames[f.verdict.kind].c_str(), describe(f).c_str());
+    for (const gate& g : f.tests.gates)
     {
         std::printf("  %s\n", gateWords(g, f).dump().c_str());
     }
@@ -103,7 +103,7 @@ void Foam::misfit::show(const finding& f)
 
 bool Foam::misfit::passes(const finding& f, const word& name)
 {
-    for (const gate& g : f.gates)
+    for (const gate& g : f.tests.gates)
     {
         if (gateNames[g.kind] == name && g.fails())
         {
@@ -150,7 +150,7 @@ void Foam::misfit::expectAnswer
 )
 {
     show(f);
-    EXPECT_EQ(verdictNames[f.verdict], verdict);
+    EXPECT_EQ(verdictNames[f.verdict.kind], verdict);
     wordList found(answerOf(f));
     std::sort(found.begin(), found.end());
     std::sort(names.begin(), names.end());

@@ -239,11 +239,11 @@ TEST(misfitConfidence, anotherTableGivesAnotherConfidenceAndTheSameVerdict)
     worldSampler other(truth(0, 0.7), 200, vec());
     const finding f(diagnose(one));
     const finding g(diagnose(other, withTable(file)));
-    EXPECT_EQ(f.verdict, g.verdict);
-    EXPECT_EQ(f.names, g.names);
-    EXPECT_EQ(f.grounds, g.grounds);
-    EXPECT_GE(f.confidence, leastOfAName());
-    EXPECT_LT(g.confidence, 0.1);
+    EXPECT_EQ(f.verdict.kind, g.verdict.kind);
+    EXPECT_EQ(f.verdict.names, g.verdict.names);
+    EXPECT_EQ(f.verdict.grounds, g.verdict.grounds);
+    EXPECT_GE(f.verdict.confidence, leastOfAName());
+    EXPECT_LT(g.verdict.confidence, 0.1);
 }
 
 
@@ -278,13 +278,13 @@ TEST(misfitConfidence, aVerdictWithoutSomeOfItsRunsIsNoSurerThanItsScores)
     worldSampler s(truth(-1, 0), 100, vec());
     s.failAlwaysIn("B");
     const finding f(diagnose(s));
-    ASSERT_EQ(f.verdict, verdictKind::unknown);
+    ASSERT_EQ(f.verdict.kind, verdictKind::unknown);
     scalar unknown = 0;
     for (const scored& w : f.explained.all())
     {
         unknown += w.what.isOnlyUnknown() ? w.probability : 0;
     }
-    EXPECT_LE(f.confidence, unknown);
+    EXPECT_LE(f.verdict.confidence, unknown);
 }
 
 

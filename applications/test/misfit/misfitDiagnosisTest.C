@@ -20,8 +20,8 @@ TEST(misfitDiagnosis, aMistunedModelLacksNothing)
     {
         worldSampler s(truth(-1, 0), 100 + k, vec());
         const finding f(diagnose(s));
-        none += f.verdict == verdictKind::none;
-        if (f.verdict != verdictKind::none)
+        none += f.verdict.kind == verdictKind::none;
+        if (f.verdict.kind != verdictKind::none)
         {
             show(f);
         }
@@ -63,10 +63,10 @@ TEST(misfitDiagnosis, whatWasMeasuredOfAParameterHoldsTheFit)
     near.parameters[0].measured = 0.04;
     near.parameters[0].measuredDeviation = 0.03;
     const finding f(diagnose(s, near));
-    EXPECT_EQ(f.verdict, verdictKind::none);
-    EXPECT_EQ(f.parameters[0].before, 0.04);
-    EXPECT_EQ(f.parameters[0].prior, 0.03);
-    EXPECT_NEAR(f.parameters[0].value, 0.06, 0.01);
+    EXPECT_EQ(f.verdict.kind, verdictKind::none);
+    EXPECT_EQ(f.detection.parameters[0].before, 0.04);
+    EXPECT_EQ(f.detection.parameters[0].prior, 0.03);
+    EXPECT_NEAR(f.detection.parameters[0].value, 0.06, 0.01);
 
     // What the parameter may not be is something that is missing
     settings wrong(near);
@@ -83,12 +83,12 @@ TEST(misfitDiagnosis, aMechanismIsNamedAlthoughItsFormulaDiffers)
         worldSampler s(truth(m, 0.7), 200 + m, vec());
         const finding f(diagnose(s));
         show(f);
-        EXPECT_EQ(f.verdict, verdictKind::named) << world::mechanism(m);
-        EXPECT_EQ(f.names, wordList({world::mechanism(m)}));
-        EXPECT_GE(f.confidence, leastOfAName());
-        EXPECT_FALSE(f.located.empty());
-        ASSERT_EQ(f.held.size(), 2);
-        EXPECT_LT(f.held[1].squareAfter, f.held[1].squareBefore);
+        EXPECT_EQ(f.verdict.kind, verdictKind::named) << world::mechanism(m);
+        EXPECT_EQ(f.verdict.names, wordList({world::mechanism(m)}));
+        EXPECT_GE(f.verdict.confidence, leastOfAName());
+        EXPECT_FALSE(f.verdict.located.empty());
+        ASSERT_EQ(f.held().size(), 2);
+        EXPECT_LT(f.held()[1].squareAfter, f.held()[1].squareBefore);
     }
 }
 
@@ -112,13 +112,13 @@ TEST(misfitDiagnosis, aNamedEffectIsLocatedWithoutMostOfTheNoise)
         const visibility v(visible(s, set));
         const vec left = v.all*v.calibrated.ldlt().solve(effect);
         const finding f(diagnose(s, set));
-        ASSERT_EQ(f.verdict, verdictKind::named);
+        ASSERT_EQ(f.verdict.kind, verdictKind::named);
         labelHashSet found;
-        for (const place& p : f.located)
+        for (const place& p : f.verdict.located)
         {
             for (label i = p.where.begin; i < p.where.end; ++i)
             {
-                found.insert(f.data.segments[p.where.segment].first + i);
+                found.insert(f.detection.data.segments[p.where.segment].first + i);
             }
         }
         lengths += found.size();
@@ -141,10 +141,10 @@ TEST(misfitDiagnosis, theStateThatIsNamedIsTold)
 {
     worldSampler s(truth(0, 0.7), 200, vec());
     const finding f(diagnose(s));
-    ASSERT_EQ(f.answer.size(), 1);
+    ASSERT_TRUE(f.verdict.state);
     EXPECT_NEAR
     (
-        f.answer[0].strengths[world::mechanism(0)], f.strengths[0].value, 1e-9
+        f.verdict.state->strengths[world::mechanism(0)], f.verdict.strengths[0].value, 1e-9
     );
 }
 
@@ -160,7 +160,7 @@ TEST(misfitDiagnosis, sensorsAloneCanBeAskedAfter)
     worldSampler s(vec::Zero(world::nParameters + world::nMechanisms), 300, added);
     const finding f(diagnose(s, set));
     show(f);
-    EXPECT_EQ(f.verdict, verdictKind::sensor);
+    EXPECT_EQ(f.verdict.kind, verdictKind::sensor);
 }
 
 
@@ -176,7 +176,7 @@ TEST(misfitDiagnosis, whatTheseChannelsCannotTellApartIsASet)
         }
         const finding f(diagnose(s));
         expectAnswer(f, "set", {world::mechanism(0), world::mechanism(1)});
-        EXPECT_EQ(f.grounds[groundNames.find("confirmed")] > 0, confirmed);
+        EXPECT_EQ(f.verdict.grounds[groundNames.find("confirmed")] > 0, confirmed);
     }
 }
 
@@ -186,9 +186,9 @@ TEST(misfitDiagnosis, strengthsOfASetAreToldWithWhatWasFitted)
     worldSampler s(truth(0, 0.7), 200, vec());
     s.makeTwins();
     const finding f(diagnose(s));
-    ASSERT_EQ(f.verdict, verdictKind::set);
-    ASSERT_EQ(f.strengths.size(), 1);
-    const word& name = f.strengths[0].name;
+    ASSERT_EQ(f.verdict.kind, verdictKind::set);
+    ASSERT_EQ(f.verdict.strengths.size(), 1);
+    const word& name = f.verdict.strengths[0].name;
     EXPECT_NE
     (
         describe(f).find(". As fitted with " + name + ": strength of " + name + ' '),
@@ -204,7 +204,7 @@ TEST(misfitDiagnosis, aSetSaysWhatActsTogether)
     worldSampler s(x, 200, vec());
     s.makeTwins();
     const finding f(diagnose(s));
-    ASSERT_EQ(f.verdict, verdictKind::set);
+    ASSERT_EQ(f.verdict.kind, verdictKind::set);
     EXPECT_NE
     (
         describe(f).find(" and longTail together, or "), std::string::npos
@@ -221,7 +221,7 @@ TEST(misfitDiagnosis, theSimplerOneIsNotCalledTheBest)
     s.addContradiction();
     const finding f(diagnose(s));
     show(f);
-    ASSERT_EQ(f.verdict, verdictKind::unknown);
+    ASSERT_EQ(f.verdict.kind, verdictKind::unknown);
     const std::vector<scored>& all = f.explained.all();
     const auto lessLikely = [](const scored& a, const scored& b)
     {
@@ -255,7 +255,7 @@ TEST(misfitDiagnosis, twoMechanismsAtOnceAreBothNamed)
         others = hasAll(w.what, {0, 2}) ? others : min(others, w.score);
     }
     const scalar lead = others - f.explained.lowestScore();
-    EXPECT_NEAR(f.grounds[groundNames.find("lead")], std::log1p(lead), 1e-6);
+    EXPECT_NEAR(f.verdict.grounds[groundNames.find("lead")], std::log1p(lead), 1e-6);
 }
 
 
@@ -265,12 +265,12 @@ TEST(misfitDiagnosis, theStrengthLiesInItsInterval)
     {
         worldSampler s(truth(m, 0.7), 250 + m, vec(), 0);
         const finding f(diagnose(s));
-        ASSERT_EQ(f.strengths.size(), 1) << world::mechanism(m);
+        ASSERT_EQ(f.verdict.strengths.size(), 1) << world::mechanism(m);
         EXPECT_NEAR
         (
-            f.strengths[0].value, 0.7, 3*f.strengths[0].deviation
+            f.verdict.strengths[0].value, 0.7, 3*f.verdict.strengths[0].deviation
         ) << world::mechanism(m);
-        EXPECT_LT(f.strengths[0].deviation, 0.2);
+        EXPECT_LT(f.verdict.strengths[0].deviation, 0.2);
     }
 }
 
@@ -283,8 +283,8 @@ TEST(misfitDiagnosis, aFaultySensorIsBlamedAndNotPhysics)
     worldSampler s(truth(-1, 0), 300, added);
     const finding f(diagnose(s));
     show(f);
-    EXPECT_EQ(f.verdict, verdictKind::sensor);
-    EXPECT_EQ(f.names, wordList({"P1"}));
+    EXPECT_EQ(f.verdict.kind, verdictKind::sensor);
+    EXPECT_EQ(f.verdict.names, wordList({"P1"}));
     expectFault(f.best().what.fault, faultKind::zero, "P1");
     const auto fault = nlohmann::json::parse(verdictJson(f, "case"))["fault"];
     const scalar deviation = fault["deviations"][0];
@@ -302,8 +302,8 @@ TEST(misfitDiagnosis, aChannelInALargerOrSmallerUnitIsFound)
         s.mislabel(factor);
         const finding f(diagnose(s));
         show(f);
-        EXPECT_EQ(f.verdict, verdictKind::registration) << factor;
-        EXPECT_EQ(f.names, wordList({"P1"}));
+        EXPECT_EQ(f.verdict.kind, verdictKind::registration) << factor;
+        EXPECT_EQ(f.verdict.names, wordList({"P1"}));
         expectFault(f.best().what.fault, faultKind::units, "P1");
     }
 }
@@ -323,7 +323,7 @@ TEST(misfitDiagnosis, whatIsNotInTheLibraryIsUnknown)
     worldSampler s(truth(-1, 0), 400, added);
     const finding f(diagnose(s));
     show(f);
-    EXPECT_EQ(f.verdict, verdictKind::unknown);
+    EXPECT_EQ(f.verdict.kind, verdictKind::unknown);
 }
 
 
@@ -333,9 +333,9 @@ TEST(misfitDiagnosis, aWrongSignScreensACandidateOutBeforeItIsRun)
     set.candidates[2].signs = {{"pressure", "peak", -1}};
     worldSampler s(truth(0, 0.7), 200, vec());
     const finding f(diagnose(s, set));
-    ASSERT_EQ(f.dropped.size(), 1);
-    EXPECT_EQ(f.dropped[0].name, "longTail");
-    EXPECT_EQ(f.verdict, verdictKind::named);
+    ASSERT_EQ(f.candidates.dropped.size(), 1);
+    EXPECT_EQ(f.candidates.dropped[0].name, "longTail");
+    EXPECT_EQ(f.verdict.kind, verdictKind::named);
     testNumber("different states in a diagnosis of five mechanisms", s.runs());
     EXPECT_LE(s.runs(), 30);
 }
@@ -366,10 +366,10 @@ TEST(misfitDiagnosis, theStateThatIsNamedWasRunInTheSolver)
         {
             worldSampler s(truth(m, 0.3 + 0.1*k), 3000 + 50*m + k, vec());
             const finding f(diagnose(s));
-            if (f.verdict == verdictKind::named && f.answer.size())
+            if (f.verdict.kind == verdictKind::named && f.verdict.state)
             {
                 ++named;
-                EXPECT_LT(s.nearest(f.answer[0]), 0.05) << describe(f);
+                EXPECT_LT(s.nearest(*f.verdict.state), 0.05) << describe(f);
             }
         }
     }

@@ -15,7 +15,7 @@ TEST(misfitFailedRuns, anExperimentInWhichTheSolverFailsConfirmsNothing)
     s.failIn("B");
     const finding f(diagnose(s));
     show(f);
-    EXPECT_EQ(f.verdict, verdictKind::unknown);
+    EXPECT_EQ(f.verdict.kind, verdictKind::unknown);
 }
 
 
@@ -25,8 +25,8 @@ TEST(misfitFailedRuns, whatWasNotRunAsItWasFittedIsNotNamed)
     s.failBetween(0);
     const finding f(diagnose(s));
     show(f);
-    EXPECT_EQ(f.verdict, verdictKind::unknown);
-    EXPECT_TRUE(f.answer.empty());
+    EXPECT_EQ(f.verdict.kind, verdictKind::unknown);
+    EXPECT_FALSE(f.verdict.state);
     EXPECT_FALSE(passes(f, "computed"));
     EXPECT_NE(describe(f).find("solver failed"), std::string::npos) << describe(f);
 }
@@ -39,8 +39,8 @@ TEST(misfitFailedRuns, aStepThatFailsGoesBackToAStateThatRan)
     const finding f(diagnose(s));
     show(f);
     expectAnswer(f, "named", {world::mechanism(0)});
-    ASSERT_EQ(f.answer.size(), 1);
-    EXPECT_LT(s.nearest(f.answer[0]), 0.05);
+    ASSERT_TRUE(f.verdict.state);
+    EXPECT_LT(s.nearest(*f.verdict.state), 0.05);
 }
 
 
@@ -57,11 +57,11 @@ TEST(misfitFailedRuns, whatTheSolverRefutesGivesWayToTheNextBest)
         s.idleBetween(idle);
         const finding f(diagnose(s, set));
         expectAnswer(f, "named", {world::mechanism(1 - idle)});
-        ASSERT_EQ(f.strengths.size(), 1);
-        EXPECT_EQ(f.strengths[0].name, world::mechanism(1 - idle));
-        EXPECT_NEAR(f.strengths[0].value, 0.7, 0.2);
-        ASSERT_EQ(f.answer.size(), 1);
-        EXPECT_TRUE(f.answer[0].strengths.found(world::mechanism(1 - idle)));
+        ASSERT_EQ(f.verdict.strengths.size(), 1);
+        EXPECT_EQ(f.verdict.strengths[0].name, world::mechanism(1 - idle));
+        EXPECT_NEAR(f.verdict.strengths[0].value, 0.7, 0.2);
+        ASSERT_TRUE(f.verdict.state);
+        EXPECT_TRUE(f.verdict.state->strengths.found(world::mechanism(1 - idle)));
     }
 }
 
@@ -139,8 +139,8 @@ TEST(misfitFailedRuns, aCandidateThatCrashesTheSolverDropsOut)
     worldSampler s(truth(0, 0.7), 200, vec());
     s.crashWith(3);
     const finding f(diagnose(s));
-    EXPECT_EQ(f.verdict, verdictKind::named);
-    ASSERT_EQ(f.dropped.size(), 1);
-    EXPECT_EQ(f.dropped[0].name, "gate");
-    EXPECT_NE(describe(f.dropped[0]).find("floating point"), std::string::npos);
+    EXPECT_EQ(f.verdict.kind, verdictKind::named);
+    ASSERT_EQ(f.candidates.dropped.size(), 1);
+    EXPECT_EQ(f.candidates.dropped[0].name, "gate");
+    EXPECT_NE(describe(f.candidates.dropped[0]).find("floating point"), std::string::npos);
 }

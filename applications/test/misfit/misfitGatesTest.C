@@ -18,7 +18,7 @@ namespace
 wordList failed(const finding& f)
 {
     wordList names;
-    for (const gate& g : f.gates)
+    for (const gate& g : f.tests.gates)
     {
         if (g.fails() && g.kind != gateKind::detection)
         {
@@ -32,7 +32,7 @@ wordList failed(const finding& f)
 //- The first gate of that name; one without a name if it was not tested
 gate gateOf(const finding& f, const word& name)
 {
-    for (const gate& g : f.gates)
+    for (const gate& g : f.tests.gates)
     {
         if (gateNames[g.kind] == name)
         {
@@ -77,8 +77,8 @@ TEST(misfitGates, eachHeldOutExperimentMustConfirmIt)
     s.addContradiction();
     const finding f(diagnose(s));
     show(f);
-    EXPECT_EQ(f.verdict, verdictKind::unknown);
-    EXPECT_TRUE(f.names.empty());
+    EXPECT_EQ(f.verdict.kind, verdictKind::unknown);
+    EXPECT_TRUE(f.verdict.names.empty());
 }
 
 
@@ -88,7 +88,7 @@ TEST(misfitGates, withoutHeldOutDataItIsSaidThatNothingConfirmsIt)
     s.holdNothingOut();
     const finding f(diagnose(s));
     show(f);
-    EXPECT_EQ(f.verdict, verdictKind::named);
+    EXPECT_EQ(f.verdict.kind, verdictKind::named);
     EXPECT_NE(describe(f).find("No held-out data"), std::string::npos)
         << describe(f);
 
@@ -104,14 +104,14 @@ TEST(misfitGates, whatIsNotMatchedYetIsSaid)
     worldSampler s(truth(1, 0.8), 3060, vec());
     const finding f(diagnose(s));
     show(f);
-    ASSERT_EQ(f.verdict, verdictKind::named);
-    for (const heldOut& h : f.held)
+    ASSERT_EQ(f.verdict.kind, verdictKind::named);
+    for (const heldOut& h : f.held())
     {
         const bool output =
             describe(f).find("not yet match " + describe(h)) != std::string::npos;
         EXPECT_EQ(output, h.squareAfter > h.limitOfMatch) << describe(f);
     }
-    EXPECT_GT(f.held[0].squareAfter, f.held[0].limitOfMatch);
+    EXPECT_GT(f.held()[0].squareAfter, f.held()[0].limitOfMatch);
 }
 
 
@@ -130,10 +130,10 @@ TEST(misfitGates, fewHeldOutSamplesThatChanceLeavesNeitherRefuteNorConfirm)
     s.holdOutFew(5, 34);
     const finding f(diagnose(s));
     show(f);
-    ASSERT_EQ(f.held.size(), 1);
-    EXPECT_GT(f.held[0].squareBefore, 1.8);
-    EXPECT_LT(f.held[0].squareBefore, 2.8);
-    EXPECT_EQ(f.verdict, verdictKind::named);
+    ASSERT_EQ(f.held().size(), 1);
+    EXPECT_GT(f.held()[0].squareBefore, 1.8);
+    EXPECT_LT(f.held()[0].squareBefore, 2.8);
+    EXPECT_EQ(f.verdict.kind, verdictKind::named);
     EXPECT_EQ(gateOf(f, "heldOut").kind, gateKind::heldOut);
     EXPECT_FALSE(gateOf(f, "heldOut").applies);
     EXPECT_EQ(describe(f).find("not yet match"), std::string::npos) << describe(f);
@@ -143,7 +143,7 @@ TEST(misfitGates, fewHeldOutSamplesThatChanceLeavesNeitherRefuteNorConfirm)
     far.holdOutFew(5, 55);
     const finding refuted(diagnose(far));
     EXPECT_FALSE(passes(refuted, "heldOut"));
-    EXPECT_EQ(refuted.verdict, verdictKind::unknown);
+    EXPECT_EQ(refuted.verdict.kind, verdictKind::unknown);
 }
 
 
@@ -162,13 +162,13 @@ TEST(misfitGates, whatHeldOutChannelsDoNotShowIsNotNamedAndChanceDegradesNothing
             refused += !passes(f, "degradesHeldOut");
             EXPECT_FALSE
             (
-                f.verdict == verdictKind::named && !passes(f, "degradesHeldOut")
+                f.verdict.kind == verdictKind::named && !passes(f, "degradesHeldOut")
             );
             EXPECT_EQ
             (
                 describe(f).find("match of held-out channels worse")
              != std::string::npos,
-                f.verdict == verdictKind::unknown && !passes(f, "degradesHeldOut")
+                f.verdict.kind == verdictKind::unknown && !passes(f, "degradesHeldOut")
             ) << describe(f);
         }
         testNumber(share == 1 ? "refused, right" : "refused, wrong", refused);
@@ -202,10 +202,10 @@ TEST(misfitGates, anExperimentThatFailsIsNoDisagreement)
     s.failAlwaysIn("B");
     const finding f(diagnose(s));
     show(f);
-    EXPECT_EQ(f.verdict, verdictKind::unknown);
-    EXPECT_EQ(f.failedExperiments, wordList({"B"}));
+    EXPECT_EQ(f.verdict.kind, verdictKind::unknown);
+    EXPECT_EQ(f.tests.gates.failedExperiments(), wordList({"B"}));
     EXPECT_TRUE(f.failedRuns.size());
-    EXPECT_LT(f.confidence, 0.7);
+    EXPECT_LT(f.verdict.confidence, 0.7);
     EXPECT_EQ(failed(f), wordList({"computed"}));
 }
 
@@ -217,9 +217,9 @@ TEST(misfitGates, anExperimentThatFailsHidesNoOtherThatRefutes)
     s.failIn("B");
     const finding f(diagnose(s));
     show(f);
-    EXPECT_EQ(f.verdict, verdictKind::unknown);
+    EXPECT_EQ(f.verdict.kind, verdictKind::unknown);
     EXPECT_FALSE(passes(f, "heldOut"));
-    EXPECT_EQ(f.failedExperiments, wordList({"B"}));
+    EXPECT_EQ(f.tests.gates.failedExperiments(), wordList({"B"}));
 }
 
 
@@ -232,9 +232,9 @@ TEST(misfitGates, whatAFinerMeshChangesInAnExperimentMustBeKnownThere)
     s.failFiner("B");
     const finding f(diagnose(s, set));
     show(f);
-    EXPECT_EQ(f.verdict, verdictKind::unknown);
+    EXPECT_EQ(f.verdict.kind, verdictKind::unknown);
     EXPECT_EQ(failed(f), wordList({"computed"}));
-    EXPECT_EQ(f.failedExperiments, wordList({"B"}));
+    EXPECT_EQ(f.tests.gates.failedExperiments(), wordList({"B"}));
 }
 
 
@@ -245,12 +245,12 @@ TEST(misfitGates, whereOnlyHeldOutDataPartItIsNotSaidThatNothingIsMissing)
     s.mislabelHeldOut(1.3);
     const finding f(diagnose(s));
     show(f);
-    EXPECT_EQ(f.verdict, verdictKind::unknown);
+    EXPECT_EQ(f.verdict.kind, verdictKind::unknown);
     EXPECT_FALSE(passes(f, "heldOut"));
     EXPECT_TRUE(passes(f, "transfer"));
     EXPECT_NE(describe(f).find("held-out ones do not"), std::string::npos)
         << describe(f);
-    EXPECT_TRUE(f.strengths.empty());
+    EXPECT_TRUE(f.verdict.strengths.empty());
 
     worldSampler agrees(truth(-1, 0), 100, vec());
     EXPECT_EQ(diagnose(agrees).held.size(), 2);
@@ -267,7 +267,7 @@ TEST(misfitGates, aSensorIsNotBlamedWhereOthersPartTooThatItDoesNotMove)
     const finding f(diagnose(s));
     show(f);
     EXPECT_FALSE(passes(f, "heldOut"));
-    EXPECT_EQ(f.verdict, verdictKind::unknown);
+    EXPECT_EQ(f.verdict.kind, verdictKind::unknown);
 }
 
 
@@ -290,7 +290,7 @@ TEST(misfitGates, whatGainsTooLittleIsNotSaid)
     const finding f(diagnose(s, set));
     show(f);
     EXPECT_EQ(passes(f, "evidence"), false);
-    EXPECT_EQ(f.verdict, verdictKind::none);
+    EXPECT_EQ(f.verdict.kind, verdictKind::none);
     EXPECT_NE
     (
         describe(f).find("too little to say why: the best explanation, porePressure"),
@@ -333,8 +333,8 @@ TEST(misfitGates, aParameterAtItsBoundIsUncertainInAnotherExperimentToo)
         worldSampler s(x, 6000 + k, vec());
         s.weakenGains(0.25);
         const finding f(diagnose(s, set));
-        alarms += f.verdict != verdictKind::none;
-        pinned += f.parameters[0].pinned;
+        alarms += f.verdict.kind != verdictKind::none;
+        pinned += f.detection.parameters[0].pinned;
     }
     testNumber("of 20 nulls with a parameter at its bound", pinned);
     testNumber("alarms of these 20", alarms);
@@ -351,7 +351,7 @@ TEST(misfitGates, nothingIsNotSaidWhereHeldOutDataPartToo)
     const finding f(diagnose(s, set));
     show(f);
     EXPECT_EQ(passes(f, "evidence"), false);
-    EXPECT_EQ(f.verdict, verdictKind::unknown);
+    EXPECT_EQ(f.verdict.kind, verdictKind::unknown);
 }
 
 
@@ -362,7 +362,7 @@ TEST(misfitGates, theLeadIsThatOfTheBestThatSaysTheSame)
     x[world::nParameters + 2] = 0.1;
     worldSampler s(x, 200, vec());
     const finding f(diagnose(s));
-    ASSERT_EQ(f.names, wordList({world::mechanism(0)}));
+    ASSERT_EQ(f.verdict.names, wordList({world::mechanism(0)}));
     scalar same = GREAT;
     scalar other = GREAT;
     for (const scored& w : f.explained.all())
@@ -387,7 +387,7 @@ TEST(misfitGates, besideSomethingUnknownWhatIsNamedMustGainByItself)
     const finding f(diagnose(strict, set));
     show(f);
     EXPECT_EQ(failed(f), wordList({"alone"}));
-    EXPECT_EQ(f.verdict, verdictKind::unknown);
+    EXPECT_EQ(f.verdict.kind, verdictKind::unknown);
 }
 
 
@@ -435,12 +435,12 @@ TEST(misfitGates, whereTooMuchIsLeftThereIsMoreToItWhichCountsForTheConfidence)
     worldSampler strict(truth(0, 0.7), 200, added);
     const finding f(diagnose(strict, set));
     show(f);
-    EXPECT_EQ(f.names, enough.names);
+    EXPECT_EQ(f.verdict.names, enough.verdict.names);
     EXPECT_NE(describe(f).find("There is more to it"), std::string::npos)
         << describe(f);
     const label more = groundNames.find("more");
-    EXPECT_EQ(enough.grounds[more], 0);
-    EXPECT_EQ(f.grounds[more], 1);
+    EXPECT_EQ(enough.verdict.grounds[more], 0);
+    EXPECT_EQ(f.verdict.grounds[more], 1);
 }
 
 

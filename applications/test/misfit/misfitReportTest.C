@@ -30,36 +30,36 @@ finding found()
     w.data.y = w(x);
 
     finding f;
-    f.verdict = verdictKind::named;
-    f.names = {"porePressure"};
-    f.confidence = 0.9;
-    f.grounds = vec::LinSpaced(groundNames.size(), 1, groundNames.size());
-    f.detection = {0.001, 0.001, 0.001, 100, {{0, 5, 9, 12}}};
-    f.raw = f.detection;
-    f.located = {{{0, 5, 9, 12}, 50}};
-    f.strengths.append({"porePressure", 0.7, 0.1, false});
+    f.verdict.kind = verdictKind::named;
+    f.verdict.names = {"porePressure"};
+    f.verdict.confidence = 0.9;
+    f.verdict.grounds = vec::LinSpaced(groundNames.size(), 1, groundNames.size());
+    f.detection.calibrated = {0.001, 0.001, 0.001, 100, {{0, 5, 9, 12}}};
+    f.detection.raw = f.detection.calibrated;
+    f.verdict.located = {{{0, 5, 9, 12}, 50}};
+    f.verdict.strengths.append({"porePressure", 0.7, 0.1, false});
     for (label kind = 0; kind <= label(gateKind::placebo); ++kind)
     {
-        f.gates.addNothing(gateKind(kind));
+        f.tests.gates.addNothing(gateKind(kind));
     }
     gate detection;
     detection.kind = gateKind::detection;
     detection.value = 0.001;
     detection.limit = 0.05;
-    f.gates.add(detection);
-    f.data = w.data;
-    f.before = base;
-    f.after = w.data.y;
-    f.sigma = vec::Constant(base.size(), 20);
-    f.sources =
+    f.tests.gates.add(detection);
+    f.detection.data = w.data;
+    f.verdict.before = base;
+    f.verdict.after = w.data.y;
+    f.detection.sigma = vec::Constant(base.size(), 20);
+    f.detection.sources =
     {
         {"sensors", vec::Constant(base.size(), 12)},
         {"mesh", vec::Constant(base.size(), 16)}
     };
-    f.held.append
+    f.tests.held.append
     ({
         heldOut::part::validation, "A", purpose::validation, w.data, base, w.data.y,
-        f.sigma, 9, 1, 1.5
+        f.detection.sigma, 9, 1, 1.5
     });
     scored best;
     best.what.mechanisms = {0};
@@ -177,18 +177,18 @@ TEST(misfitReport, theRecordIsOfItsSchemaAndReadsBackAsItWasFound)
         EXPECT_EQ(j[key.first].type(), key.second) << key.first;
     }
     EXPECT_EQ(j["schema"], 5);
-    EXPECT_EQ(verdictNames[word(j["verdict"].get<std::string>())], f.verdict);
-    EXPECT_EQ(j["names"].get<std::vector<std::string>>().front(), f.names[0]);
-    EXPECT_EQ(j["confidence"], f.confidence);
+    EXPECT_EQ(verdictNames[word(j["verdict"].get<std::string>())], f.verdict.kind);
+    EXPECT_EQ(j["names"].get<std::vector<std::string>>().front(), f.verdict.names[0]);
+    EXPECT_EQ(j["confidence"], f.verdict.confidence);
     EXPECT_EQ(j["confidenceFrom"].size(), groundNames.size());
     EXPECT_EQ(j["confidenceFrom"]["lead"], 1);
     EXPECT_EQ(j["confidenceFrom"]["more"], groundNames.size());
-    EXPECT_EQ(j["strengths"][0]["name"], f.strengths[0].name);
-    EXPECT_EQ(j["strengths"][0]["value"], f.strengths[0].value);
-    EXPECT_EQ(j["detection"]["p"], f.detection.p);
-    EXPECT_EQ(j["heldOut"][0]["what"], describe(f.held[0]));
-    EXPECT_EQ(j["heldOut"][0]["use"], purposeNames[f.held[0].use]);
-    EXPECT_EQ(j["heldOut"][0]["meanSquareBefore"], f.held[0].squareBefore);
+    EXPECT_EQ(j["strengths"][0]["name"], f.verdict.strengths[0].name);
+    EXPECT_EQ(j["strengths"][0]["value"], f.verdict.strengths[0].value);
+    EXPECT_EQ(j["detection"]["p"], f.detection.calibrated.p);
+    EXPECT_EQ(j["heldOut"][0]["what"], describe(f.tests.held[0]));
+    EXPECT_EQ(j["heldOut"][0]["use"], purposeNames[f.tests.held[0].use]);
+    EXPECT_EQ(j["heldOut"][0]["meanSquareBefore"], f.tests.held[0].squareBefore);
 }
 
 
@@ -258,12 +258,12 @@ TEST(misfitReport, aCandidateIsToldByItsTitleAndWhatItSets)
     EXPECT_TRUE(says(box(f), "porePressure: water that cannot leave at once."));
 
     // One that is called as a part of another name is not meant by it
-    f.names = {"porePressures"};
+    f.verdict.names = {"porePressures"};
     judged(f).mechanisms.clear();
     EXPECT_FALSE(says(box(f), "water that cannot leave"));
-    f.verdict = verdictKind::set;
-    f.names.clear();
-    f.alternatives = {mechanisms({1}), mechanisms({0, 1})};
+    f.verdict.kind = verdictKind::set;
+    f.verdict.names.clear();
+    f.verdict.alternatives = {mechanisms({1}), mechanisms({0, 1})};
     EXPECT_TRUE(says(box(f), "porePressure: water that cannot leave at once."));
 }
 
@@ -283,29 +283,29 @@ TEST(misfitReport, theConfidenceSaysOfWhat)
         )
     );
     finding uncounted(f);
-    uncounted.grounds.resize(0);
+    uncounted.verdict.grounds.resize(0);
     EXPECT_TRUE(says(box(uncounted), "missing, by its score alone: no case"));
-    f.verdict = verdictKind::set;
-    f.names.clear();
-    f.alternatives = {mechanisms({0}), mechanisms({1})};
+    f.verdict.kind = verdictKind::set;
+    f.verdict.names.clear();
+    f.verdict.alternatives = {mechanisms({0}), mechanisms({1})};
     EXPECT_TRUE(says(box(f), "90 % that one of these is at least part"));
-    f.alternatives.clear();
-    f.verdict = verdictKind::sensor;
-    f.names = {"P1"};
+    f.verdict.alternatives.clear();
+    f.verdict.kind = verdictKind::sensor;
+    f.verdict.names = {"P1"};
     judged(f).mechanisms.clear();
-    judged(f).fault = possibleFaults(f.data, {faultKind::gain}).front();
+    judged(f).fault = possibleFaults(f.detection.data, {faultKind::gain}).front();
     f.explained.all().front().best.x = vec::Constant(1, 0.2);
     f.explained.all().front().best.pinned = {false};
     f.explained.all().front().best.covariance = mat::Zero(1, 1);
     EXPECT_TRUE(says(box(f), "P1 reads 20 % too high"));
     EXPECT_TRUE(says(box(f), "90 % that the fault is at P1"));
     EXPECT_FALSE(says(box(f), "in all of which it was the clock"));
-    f.verdict = verdictKind::registration;
+    f.verdict.kind = verdictKind::registration;
     EXPECT_TRUE(says(box(f), "in all of which it was the clock"));
-    f.names.clear();
-    f.verdict = verdictKind::unknown;
+    f.verdict.names.clear();
+    f.verdict.kind = verdictKind::unknown;
     EXPECT_TRUE(says(box(f), "90 % that no candidate and no fault of one sensor"));
-    f.verdict = verdictKind::none;
+    f.verdict.kind = verdictKind::none;
     EXPECT_TRUE(says(box(f), "90 % that nothing missing and no fault is needed"));
 }
 
@@ -315,7 +315,7 @@ TEST(misfitReport, theTopSaysWhatWasNotScored)
     finding f(found());
     EXPECT_FALSE(says(box(f), "Not scored"));
 
-    f.dropped =
+    f.candidates.dropped =
     {
         {
             "lift", droppedCandidate::reason::failed, "floating point exception",
@@ -338,13 +338,13 @@ TEST(misfitReport, theTopSaysWhatWasNotScored)
 TEST(misfitReport, aGateThatCouldNotBeAskedIsToldFromOneWithNothingToAsk)
 {
     finding f(found());
-    f.gates = gateList();
+    f.tests.gates = gateList();
     for (label kind = 0; kind <= label(gateKind::placebo); ++kind)
     {
-        f.gates.addNothing(gateKind(kind));
+        f.tests.gates.addNothing(gateKind(kind));
     }
-    f.gates.add(notAsked(gateKind::adequacy));
-    f.gates.add(notAsked(gateKind::stability));
+    f.tests.gates.add(notAsked(gateKind::adequacy));
+    f.tests.gates.add(notAsked(gateKind::stability));
     const std::string known(reportHtml(f, today(), {}));
     EXPECT_TRUE(says(known, "nothing to test"));
     EXPECT_FALSE(says(known, "not tested"));
@@ -364,21 +364,21 @@ TEST(misfitReport, aGateThatCouldNotBeAskedIsToldFromOneWithNothingToAsk)
 TEST(misfitReport, noNumberIsTooLargeToRead)
 {
     finding f(found());
-    f.held[0].squareBefore = 2;
-    f.held[0].squareAfter = 1e17;
+    f.tests.held[0].squareBefore = 2;
+    f.tests.held[0].squareAfter = 1e17;
     scored far(f.best());
     far.what.mechanisms.clear();
     far.score = 1.3e297;
     f.explained.all().push_back(far);
     f.correction.isTried = true;
-    f.correction.held = f.held;
+    f.correction.held = f.tests.held;
     const std::string page(reportHtml(f, today(), {}));
     EXPECT_FALSE(says(page, "e+"));
     EXPECT_TRUE(says(page, "more than 100000"));
     EXPECT_TRUE(says(page, "less than -1000 %"));
 
     // Of a channel that shows nothing the range is nought
-    stacked data(f.data);
+    stacked data(f.detection.data);
     data.segments[0].of(data.y).setZero();
     const place p{{0, 5, 9, 12}, 700};
     EXPECT_TRUE
@@ -391,10 +391,10 @@ TEST(misfitReport, noNumberIsTooLargeToRead)
 TEST(misfitReport, aShareThatRoundsToNoughtHasNoSign)
 {
     finding f(found());
-    f.held[0].squareBefore = 10;
-    f.held[0].squareAfter = 10.02;
+    f.tests.held[0].squareBefore = 10;
+    f.tests.held[0].squareAfter = 10.02;
     f.correction.isTried = true;
-    f.correction.held = f.held;
+    f.correction.held = f.tests.held;
     const std::string page(reportHtml(f, today(), {}));
     EXPECT_TRUE(says(page, ">0 %<"));
     EXPECT_FALSE(says(page, "-0 %"));

@@ -36,8 +36,8 @@ finding diagnosed(const vec& shown)
 //- That verdict on P1, with this fault
 void expectP1(const finding& f, const verdictKind verdict, const faultKind kind)
 {
-    EXPECT_EQ(f.verdict, verdict);
-    EXPECT_EQ(f.names, wordList({"P1"}));
+    EXPECT_EQ(f.verdict.kind, verdict);
+    EXPECT_EQ(f.verdict.names, wordList({"P1"}));
     expectFault(f.best().what.fault, kind, "P1");
 }
 
@@ -146,7 +146,7 @@ TEST(misfitSensorFault, exchangedGaugesAreBothNamedAlsoBesideSomethingUnknown)
         const finding f(diagnose(s));
         expectAnswer(f, "registration", {"P1", "P2"});
         expectFault(f.best().what.fault, faultKind::swapped, "P1", "P2");
-        EXPECT_EQ(f.gates.applied(gateKind::alone), f.hasMore());
+        EXPECT_EQ(f.tests.gates.applied(gateKind::alone), f.hasMore());
     }
 }
 
@@ -172,7 +172,7 @@ TEST(misfitSensorFault, besideSomethingUnknownAnExchangeMustGainByItself)
     show(f);
     EXPECT_FALSE(passes(f, "alone"));
     EXPECT_TRUE(passes(f, "evidence"));
-    EXPECT_EQ(f.verdict, verdictKind::unknown);
+    EXPECT_EQ(f.verdict.kind, verdictKind::unknown);
 }
 
 

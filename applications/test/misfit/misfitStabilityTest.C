@@ -64,7 +64,7 @@ TEST(misfitStability, whatAnotherChannelContradictsIsNotNamed)
     const finding f(diagnose(s, set));
     show(f);
     EXPECT_EQ(passes(f, "stability"), false);
-    EXPECT_NE(f.verdict, verdictKind::named);
+    EXPECT_NE(f.verdict.kind, verdictKind::named);
 }
 
 
@@ -72,19 +72,19 @@ TEST(misfitStability, whatWinsWithoutAChannelIsInTheSet)
 {
     const finding f(ofTwoGauges(0, 1, false));
     expectAnswer(f, "set", {"slowFront", "longTail"});
-    EXPECT_FALSE(f.winners.empty());
-    EXPECT_TRUE(f.weakened);
-    EXPECT_EQ(f.measure.what, advice::kind::check);
+    EXPECT_FALSE(f.tests.winners.empty());
+    EXPECT_TRUE(f.verdict.weakened);
+    EXPECT_EQ(f.verdict.measure.what, advice::kind::check);
 }
 
 
 TEST(misfitStability, thatASetHangsOnAChannelCountsAgainstIt)
 {
     const finding f(ofTwoGauges(4, 0, false, true));
-    EXPECT_EQ(f.verdict, verdictKind::set);
+    EXPECT_EQ(f.verdict.kind, verdictKind::set);
     EXPECT_TRUE(passes(f, "heldOut"));
     EXPECT_FALSE(passes(f, "stability"));
-    EXPECT_LT(f.grounds[groundNames.find("gates")], 1);
+    EXPECT_LT(f.verdict.grounds[groundNames.find("gates")], 1);
 }
 
 
@@ -92,8 +92,8 @@ TEST(misfitStability, aSetThatHangsOnAChannelSaysWhereBothAtOnceAreAsGood)
 {
     const finding both(ofTwoGauges(0, 1, false));
     const finding one(ofTwoGauges(4, 0, false));
-    ASSERT_EQ(both.verdict, verdictKind::set);
-    ASSERT_EQ(one.verdict, verdictKind::set);
+    ASSERT_EQ(both.verdict.kind, verdictKind::set);
+    ASSERT_EQ(one.verdict.kind, verdictKind::set);
     EXPECT_EQ(ofTwoGauges(4, 1, false).verdict, verdictKind::set);
     EXPECT_NE(describe(both).find(", or both. "), std::string::npos)
         << describe(both);
@@ -104,11 +104,11 @@ TEST(misfitStability, aSetThatHangsOnAChannelSaysWhereBothAtOnceAreAsGood)
 TEST(misfitStability, aSetThatHangsOnAChannelBesidesStillSaysWhatToMeasure)
 {
     const finding f(ofTwoGauges(4, 0, true));
-    ASSERT_EQ(f.verdict, verdictKind::set);
-    EXPECT_FALSE(f.weakened);
-    ASSERT_FALSE(f.winners.empty());
-    EXPECT_EQ(f.winners.front().channel, "P2");
-    EXPECT_TRUE(hasAll(f.winners.front().what.what, {4}));
-    EXPECT_NE(f.measure.what, advice::kind::nothing);
-    EXPECT_NE(f.measure.what, advice::kind::check);
+    ASSERT_EQ(f.verdict.kind, verdictKind::set);
+    EXPECT_FALSE(f.verdict.weakened);
+    ASSERT_FALSE(f.tests.winners.empty());
+    EXPECT_EQ(f.tests.winners.front().channel, "P2");
+    EXPECT_TRUE(hasAll(f.tests.winners.front().what.what, {4}));
+    EXPECT_NE(f.verdict.measure.what, advice::kind::nothing);
+    EXPECT_NE(f.verdict.measure.what, advice::kind::check);
 }

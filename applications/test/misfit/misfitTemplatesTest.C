@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Templates of etc/misfit that somebody has changed, and has changed wrongly.
 
-#include "record.H"
+#include "templates.H"
 #include "terminalOutput.H"
 #include "temporaryFolder.H"
 #include "textFile.H"

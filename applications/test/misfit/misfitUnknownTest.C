@@ -55,7 +55,7 @@ settings poorSettings()
 finding diagnosed(correctedWorld& w, const settings& set = poorSettings())
 {
     const finding f(diagnose(w, set));
-    std::printf("%s: %s\n", verdictNames[f.verdict].c_str(), describe(f).c_str());
+    std::printf("%s: %s\n", verdictNames[f.verdict.kind].c_str(), describe(f).c_str());
     for (const fittedLaw& l : f.correction.laws)
     {
         std::printf("  %6.1f %s\n", l.lead, describe(l).c_str());
@@ -127,7 +127,7 @@ TEST(misfitUnknown, aPushThatNoCandidateIsIsFoundInItsPlace)
         correctedWorld w(truth, HashTable<scalar>(), seed);
         const finding f(diagnosed(w));
 
-        EXPECT_EQ(f.verdict, verdictKind::unknown);
+        EXPECT_EQ(f.verdict.kind, verdictKind::unknown);
         ASSERT_FALSE(f.correction.elements.empty());
         const freeElement& first = f.correction.elements.first();
         EXPECT_EQ(first.element.name, "push2_2");
@@ -153,7 +153,7 @@ TEST(misfitUnknown, whereTheSolverFailsWithTheFittedPushThatOfTheSurfaceIsTold)
     correctedWorld w(truth, HashTable<scalar>(), 500);
     w.failWhereFitted();
     const finding f(diagnosed(w));
-    EXPECT_EQ(f.verdict, verdictKind::unknown);
+    EXPECT_EQ(f.verdict.kind, verdictKind::unknown);
     EXPECT_FALSE(f.correction.named);
     ASSERT_FALSE(f.correction.elements.empty());
     EXPECT_EQ(f.correction.elements.first().element.name, "push2_2");
@@ -177,8 +177,8 @@ TEST(misfitUnknown, anotherDragLawIsRegressedOnTheReynoldsNumber)
         correctedWorld w(truth, truth, seed);
         const finding f(diagnosed(w));
 
-        EXPECT_EQ(f.verdict, verdictKind::named);
-        EXPECT_EQ(f.names, wordList({"drag:Re_p"}));
+        EXPECT_EQ(f.verdict.kind, verdictKind::named);
+        EXPECT_EQ(f.verdict.names, wordList({"drag:Re_p"}));
         EXPECT_TRUE(f.correction.transfers);
         ASSERT_FALSE(f.correction.laws.empty());
         EXPECT_NE
@@ -204,11 +204,11 @@ TEST(misfitUnknown, aLawIsNoSurerThanTheLimitOfWhatIsNotCalibrated)
         set.largestUncalibrated = limit;
         correctedWorld w(truth, truth, 600);
         const finding f(diagnosed(w, set));
-        ASSERT_EQ(f.verdict, verdictKind::named);
+        ASSERT_EQ(f.verdict.kind, verdictKind::named);
 
         // Its lead alone would say more
         EXPECT_GT(f.correction.laws.first().lead, 6);
-        EXPECT_EQ(f.confidence, limit);
+        EXPECT_EQ(f.verdict.confidence, limit);
     }
 }
 
@@ -219,7 +219,7 @@ TEST(misfitUnknown, aLawWithWhichTheSolverFailsIsToldAndNoOtherIsNamed)
     correctedWorld w(truth, truth, 600);
     w.failWhereFitted();
     const finding f(diagnosed(w));
-    EXPECT_EQ(f.verdict, verdictKind::unknown);
+    EXPECT_EQ(f.verdict.kind, verdictKind::unknown);
     EXPECT_FALSE(f.correction.explained);
     EXPECT_NE(describe(f).find("fails with one that may say as much"), std::string::npos)
         << describe(f);
@@ -239,7 +239,7 @@ TEST(misfitUnknown, aPartOfALawWithWhichTheSolverFailsIsNotNamed)
     correctedWorld w(truth, truth, 600);
     w.failWhereDragVaries();
     const finding f(diagnosed(w));
-    EXPECT_EQ(f.verdict, verdictKind::unknown);
+    EXPECT_EQ(f.verdict.kind, verdictKind::unknown);
     EXPECT_NE(describe(f).find("(Re_p/30)^(0."), std::string::npos) << describe(f);
     EXPECT_NE(describe(f).find("fails with one that may say as much"), std::string::npos)
         << describe(f);
@@ -258,7 +258,7 @@ TEST(misfitUnknown, theSameLawInOneExperimentOnlyIsNotNamed)
     correctedWorld w(truth, HashTable<scalar>(), 610);
     const finding f(diagnosed(w));
 
-    EXPECT_EQ(f.verdict, verdictKind::unknown);
+    EXPECT_EQ(f.verdict.kind, verdictKind::unknown);
     EXPECT_FALSE(f.correction.transfers);
     EXPECT_NE(describe(f).find("no other experiment confirms"), std::string::npos);
 }
@@ -272,7 +272,7 @@ TEST(misfitUnknown, aLawIsNotNamedWhereTheOtherExperimentGivesNoSamplesWithIt)
     const finding f(diagnosed(w));
     EXPECT_TRUE(f.correction.explained);
     EXPECT_FALSE(f.correction.transfers);
-    EXPECT_EQ(f.verdict, verdictKind::unknown);
+    EXPECT_EQ(f.verdict.kind, verdictKind::unknown);
 }
 
 
@@ -291,7 +291,7 @@ TEST(misfitUnknown, whatIsLeftMayBeAsMuchAsTheLimitWhereverItIsAsked)
     ASSERT_GT(b.squareAfter, set.matchedSquare);
 
     set.matchedSquare = b.squareAfter;
-    const correctionFound c(elsewhere());
+    const correctionFit c(elsewhere());
     ASSERT_EQ(c.held.last().squareAfter, c.held.last().limitOfMatch);
     EXPECT_TRUE(c.transfers);
 
@@ -313,13 +313,9 @@ TEST(misfitUnknown, noiseAloneLeavesTheCorrectionZero)
         study explained(w, set);
         explained.addRuns(parameterDesign(explained.bounds));
         explained.build();
-        label runs = 0;
-        const correctionFound c
+        const correctionFit c
         (
-            fitCorrection
-            (
-                explained, explained.calibration.score().base(), {}, runs
-            )
+            fitCorrection(explained, explained.calibration.score().base(), {})
         );
         EXPECT_TRUE(c.elements.empty()) << describe(c);
         EXPECT_FALSE(c.explained) << describe(c);

@@ -22,17 +22,17 @@ using namespace Foam::misfit;
 //  from what it leaves at the fitted channels
 json rival(const finding& f, const scalar clockUncertainty)
 {
-    if (f.held.empty())
+    if (f.held().empty())
     {
         return json::array();
     }
     const statistics::gaussianProcess learnt
     (
-        f.data,
-        f.data.y - f.before,
-        covariance(f.data, clockUncertainty).at(f.before)
+        f.detection.data,
+        f.detection.data.y - f.verdict.before,
+        covariance(f.detection.data, clockUncertainty).at(f.verdict.before)
     );
-    return each(f.held, [&](const heldOut& h) -> json
+    return each(f.held(), [&](const heldOut& h) -> json
     {
         const whitener white(covariance(h.data, clockUncertainty).at(h.before));
         const vec left = h.data.y - h.before;
@@ -50,7 +50,7 @@ json rival(const finding& f, const scalar clockUncertainty)
 //- What the named mechanisms change at the fitted channels
 json effect(const finding& f, const settings& set, sampler& ask)
 {
-    if (f.verdict != verdictKind::named)
+    if (f.verdict.kind != verdictKind::named)
     {
         return json::array();
     }
@@ -117,7 +117,7 @@ void Foam::misfit::diagnoseCases(concealedSide& library, const fileName& folder)
         };
         writeWhole(c/"proof.json", proof.dump(1) + '\n');
         writeWhole(c/"verdict.json", verdictJson(found, c.name()));
-        Info<< "    " << verdictNames[found.verdict] << ": "
+        Info<< "    " << verdictNames[found.verdict.kind] << ": "
             << describe(found).c_str() << endl;
     }
 }

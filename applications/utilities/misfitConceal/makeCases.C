@@ -2,7 +2,6 @@
 // Makes cases whose cause is concealed, and the key to them.
 
 #include "caseDrawing.H"
-#include "report.H"
 #include "textFile.H"
 
 #include "OSspecific.H"

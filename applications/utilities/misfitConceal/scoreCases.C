@@ -2,7 +2,6 @@
 // Opens the key and scores the verdicts.
 
 #include "openedCase.H"
-#include "report.H"
 #include "textFile.H"
 #include "words.H"
 

@@ -2,7 +2,7 @@
 // The scores of verdicts on concealed cases, with their intervals.
 
 #include "openedCase.H"
-#include "report.H"
+#include "shortNumber.H"
 
 #include <algorithm>
 #include <cmath>

@@ -53,14 +53,14 @@ void printPlan
 
 void printFinding(const finding& f, const fileName& folder)
 {
-    Info<< nl << "Verdict: " << verdictNames[f.verdict] << nl
+    Info<< nl << "Verdict: " << verdictNames[f.verdict.kind] << nl
         << describe(f).c_str() << nl
-        << "Confidence " << f.confidence << nl;
-    for (const place& p : f.located)
+        << "Confidence " << f.verdict.confidence << nl;
+    for (const place& p : f.verdict.located)
     {
-        Info<< "    " << describe(p, f.data).c_str() << nl;
+        Info<< "    " << describe(p, f.detection.data).c_str() << nl;
     }
-    if (f.answer.size())
+    if (f.verdict.state)
     {
         Info<< nl << "The case with it: " << (folder/correctedCase).c_str();
     }
@@ -161,9 +161,9 @@ int main(int argc, char* argv[])
         originOf(above.name()/runTime.path().name(), recorded, set.candidates)
     );
     printFinding(found, folder);
-    if (found.answer.size())
+    if (found.verdict.state)
     {
-        solver.makeCase(found.answer.first(), folder/correctedCase);
+        solver.makeCase(*found.verdict.state, folder/correctedCase);
     }
     return 0;
 }

@@ -2,8 +2,6 @@
 // The result of a check of a table, for people and for programs.
 
 #include "tableCheck.H"
-#include "record.H"
-#include "report.H"
 #include "tableColumns.H"
 #include "words.H"
 

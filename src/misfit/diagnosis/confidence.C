@@ -13,14 +13,14 @@ using namespace Foam;
 using namespace Foam::misfit;
 
 //- True if it is one of the set, or has all mechanisms of one
-bool hasOneOfSet(const finding& f, const scored& w)
+bool hasOneOf(const std::vector<scored>& alternatives, const scored& w)
 {
     return
-        isAmong(f.alternatives, w)
+        isAmong(alternatives, w)
      || std::any_of
         (
-            f.alternatives.begin(),
-            f.alternatives.end(),
+            alternatives.begin(),
+            alternatives.end(),
             [&](const scored& one)
             {
                 return
@@ -32,21 +32,26 @@ bool hasOneOfSet(const finding& f, const scored& w)
 
 
 //- It has all on that is named, whatever else
-bool hasAllThatIsNamed(const finding& f, const hypothesis& h)
+bool hasAll
+(
+    const wordList& names,
+    const wordList& library,
+    const hypothesis& h
+)
 {
     label n = 0;
     for (const int m : h.mechanisms)
     {
-        n += f.names.found(f.library[m]);
+        n += names.found(library[m]);
     }
-    return n && n == f.names.size();
+    return n && n == names.size();
 }
 
 
 //- True if an explanation says what the verdict says
-bool agrees(const finding& f, const scored& w)
+bool agrees(const evidence& e, const decision& d, const scored& w)
 {
-    switch (f.verdict)
+    switch (d.kind)
     {
         case verdictKind::none:
             return w.what.isNone();
@@ -54,13 +59,13 @@ bool agrees(const finding& f, const scored& w)
         case verdictKind::registration:
             return
                 w.what.fault
-             && w.what.fault->blamesSame(*f.best().what.fault);
+             && w.what.fault->blamesSame(*e.best().what.fault);
         case verdictKind::unknown:
             return w.what.isOnlyUnknown();
         case verdictKind::set:
-            return hasOneOfSet(f, w);
+            return hasOneOf(d.alternatives, w);
         default:
-            return hasAllThatIsNamed(f, w.what);
+            return hasAll(d.names, e.library, w.what);
     }
 }
 
@@ -73,13 +78,13 @@ scalar ofOrder(const scalar x)
 
 
 //- By how much the score of those that agree is ahead of that of all others
-scalar lead(const finding& f)
+scalar lead(const evidence& e, const decision& d)
 {
     scalar own = GREAT;
     scalar others = GREAT;
-    for (const scored& w : f.explained.all())
+    for (const scored& w : e.explained.all())
     {
-        scalar& least = agrees(f, w) ? own : others;
+        scalar& least = agrees(e, d, w) ? own : others;
         least = min(least, w.score);
     }
     return own == GREAT || others == GREAT ? 0 : others - own;
@@ -87,11 +92,11 @@ scalar lead(const finding& f)
 
 
 //- Fraction of the tested gates that passed [-]
-scalar shareOfGates(const finding& f)
+scalar shareOfGates(const gateList& gates)
 {
     label nTried = 0;
     label passed = 0;
-    for (const gate& g : f.gates)
+    for (const gate& g : gates)
     {
         if (g.applies && g.kind != gateKind::detection)
         {
@@ -103,27 +108,13 @@ scalar shareOfGates(const finding& f)
 }
 
 
-groundValues groundsOf(const settings& set, const finding& f)
-{
-    groundValues g(groundNames.size());
-    g <<
-        ofOrder(lead(f)),
-        f.detection.p,
-        ofOrder(std::sqrt(max(f.detection.sum - f.data.size(), 0.0))),
-        shareOfGates(f),
-        isConfirmed(f.held, set),
-        f.verdict != verdictKind::none && f.hasMore();
-    return g;
-}
-
-
 //- Share of the probability that those that agree have
-scalar shareOfThoseThatAgree(const finding& f)
+scalar shareOfThoseThatAgree(const evidence& e, const decision& d)
 {
     scalar sum = 0;
-    for (const scored& w : f.explained.all())
+    for (const scored& w : e.explained.all())
     {
-        sum += agrees(f, w) ? w.probability : 0;
+        sum += agrees(e, d, w) ? w.probability : 0;
     }
     return sum;
 }
@@ -131,14 +122,37 @@ scalar shareOfThoseThatAgree(const finding& f)
 } // End anonymous namespace
 
 
-void Foam::misfit::setConfidence(const settings& set, finding& f)
+Foam::misfit::groundValues Foam::misfit::groundsOf
+(
+    const rules& limits,
+    const evidence& e,
+    const decision& d
+)
 {
-    f.grounds = groundsOf(set, f);
-    f.confidence = set.confidence(verdictNames[f.verdict], f.grounds);
+    const misfitDetection& misfit = e.detection;
+    const bool hasMore = d.partly || e.best().what.unknown;
+    groundValues g(groundNames.size());
+    g <<
+        ofOrder(lead(e, d)),
+        misfit.calibrated.p,
+        ofOrder(std::sqrt(max(misfit.calibrated.sum - misfit.data.size(), 0.0))),
+        shareOfGates(e.tests.gates),
+        isConfirmed(e.tests.held, limits),
+        d.kind != verdictKind::none && hasMore;
+    return g;
+}
+
+
+Foam::scalar Foam::misfit::confidenceIn
+(
+    const rules& limits,
+    const evidence& e,
+    const decision& d
+)
+{
+    const scalar confidence = limits.confidence(verdictNames[d.kind], d.grounds);
 
     // The cases of the table had all their runs
-    if (f.failing.size() || f.failedRuns.size())
-    {
-        f.confidence = min(f.confidence, shareOfThoseThatAgree(f));
-    }
+    const bool failed = e.candidates.failing.size() || e.failedRuns.size();
+    return failed ? min(confidence, shareOfThoseThatAgree(e, d)) : confidence;
 }

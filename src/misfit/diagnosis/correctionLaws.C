@@ -44,7 +44,7 @@ void judge
 )
 {
     const settings& set = c.s.set;
-    correctionFound& found = c.found;
+    correctionFit& found = c.found;
     const dimensionlessLaw& best = laws[order[0]];
     const computed& first = fits[order[0]];
     const scalar needed = found.elements.size() ? set.gap : set.evidence;

@@ -18,7 +18,7 @@ std::vector<int> alwaysFailing
     const List<samples>& given
 )
 {
-    std::vector<int> never;
+    std::vector<int> failing;
     forAll(s.names, m)
     {
         label nTried = 0;
@@ -31,10 +31,10 @@ std::vector<int> alwaysFailing
         }
         if (nTried && !ran)
         {
-            never.push_back(m);
+            failing.push_back(m);
         }
     }
-    return never;
+    return failing;
 }
 
 
@@ -86,6 +86,43 @@ std::vector<place> placed
         });
     }
     return places;
+}
+
+
+//- Where and when recording and calibrated base part beyond chance; left: chance of that
+std::vector<place> locate(const study& s, const scored& base, const scanned& left)
+{
+    const stacked& data = s.calibration.data();
+    const vec misfit = data.y - base.best.f;
+    std::vector<window> clear;
+    if (left.p < s.set.significance)
+    {
+        clear =
+            statistics::stretches(data, misfit, base.covariance, s.set.beyond);
+        if (clear.empty())
+        {
+            // Chance says no, yet no sample is far off: the strongest window
+            clear = left.windows;
+            clear.resize(min(clear.size(), size_t(1)));
+        }
+    }
+    return placed(clear, data, misfit);
+}
+
+
+List<calibratedParameter> parametersOf(const settings& set, const scored& base)
+{
+    List<calibratedParameter> all;
+    forAll(set.parameters, i)
+    {
+        const parameter& p = set.parameters[i];
+        all.append
+        ({
+            p.name, p.measured, p.measuredDeviation, base.best.x[i],
+            base.best.deviation(i), base.best.pinned[i]
+        });
+    }
+    return all;
 }
 
 } // End anonymous namespace
@@ -152,10 +189,10 @@ Foam::misfit::scanned Foam::misfit::scanResidual
 }
 
 
-Foam::misfit::scored Foam::misfit::detect
+Foam::misfit::misfitDetection Foam::misfit::detect
 (
     const study& s,
-    finding& f
+    const scored& base
 )
 {
     Info<< "Detection" << endl;
@@ -164,66 +201,39 @@ Foam::misfit::scored Foam::misfit::detect
     const vec atMean = s.calibration.surface()(s.bounds.mean);
     const whitener white(s.calibration.uncertainty().at(atMean));
     const statistics::scan raw(data, white, set.draws, set.seed);
-    f.raw = raw(data.y - atMean, set.significance);
-
-    const scored base(s.calibration.score().base());
-    forAll(set.parameters, i)
+    const scanned left(scanResidual(s, base, shapes(s, base)));
+    return
     {
-        const parameter& p = set.parameters[i];
-        f.parameters.append
-        ({
-            p.name, p.measured, p.measuredDeviation, base.best.x[i],
-            base.best.deviation(i), base.best.pinned[i]
-        });
-    }
-    f.detection =
-        scanResidual(s, base, shapes(s, base));
-
-    const vec misfit = data.y - base.best.f;
-    std::vector<window> clear;
-    if (isDetected(s, f))
-    {
-        clear =
-            statistics::stretches(data, misfit, base.covariance, set.beyond);
-        if (clear.empty())
-        {
-            // Chance says no, yet no sample is far off: the strongest window
-            clear = f.detection.windows;
-            clear.resize(min(clear.size(), size_t(1)));
-        }
-    }
-    f.located = placed(clear, data, misfit);
-    f.data = data;
-    f.sigma = base.covariance.diagonal().cwiseSqrt();
-    f.sources = s.calibration.uncertainty().sources(base.best.f);
-    return base;
-}
-
-
-bool Foam::misfit::isDetected(const study& s, const finding& f)
-{
-    return f.detection.p < s.set.significance;
+        raw(data.y - atMean, set.significance),
+        left,
+        locate(s, base, left),
+        parametersOf(set, base),
+        data,
+        base.covariance.diagonal().cwiseSqrt(),
+        s.calibration.uncertainty().sources(base.best.f)
+    };
 }
 
 
 std::vector<Foam::misfit::place> Foam::misfit::locateNamed
 (
     const study& s,
-    const finding& f
+    const evidence& e,
+    const decision& d
 )
 {
     // What is left counts, too: nature's formula may be another one
     const stacked& data = s.calibration.data();
     const scalar share = s.set.residualShare;
     const vec explained =
-        (1 - share)*(f.after - f.before) + share*(data.y - f.before);
+        (1 - share)*(d.after - d.before) + share*(data.y - d.before);
     return placed
     (
         statistics::stretches
         (
             data,
             explained,
-            f.explained.baseline().covariance,
+            e.explained.baseline().covariance,
             s.set.beyond
         ),
         data,
@@ -232,17 +242,16 @@ std::vector<Foam::misfit::place> Foam::misfit::locateNamed
 }
 
 
-void Foam::misfit::addSensitivityRuns
+Foam::misfit::screenedCandidates Foam::misfit::addSensitivityRuns
 (
     study& s,
     const scored& base,
-    screened& candidates,
-    std::vector<int>& never
+    const screenedCandidates& candidates
 )
 {
     if (s.set.trainingEnsemble || s.ask.trainingEnsemble().size())
     {
-        return;
+        return candidates;
     }
     Info<< "Sensitivities of the mechanisms" << endl;
     vec at = s.bounds.mean;
@@ -253,25 +262,25 @@ void Foam::misfit::addSensitivityRuns
     design.insert(design.end(), alone.begin(), alone.end());
     const List<samples> given(s.addRuns(design));
 
-    std::vector<int> left;
+    screenedCandidates result{{}, candidates.dropped, candidates.failing};
     for (label i = 0; i < count(candidates.left); ++i)
     {
         const int mechanism = candidates.left[i];
         const samples& weak = given[1 + 2*i];
         if (weak.ok() || given[2 + 2*i].ok())
         {
-            left.push_back(mechanism);
+            result.left.push_back(mechanism);
         }
         else
         {
-            never.push_back(mechanism);
-            candidates.dropped.append
+            result.failing.push_back(mechanism);
+            result.dropped.append
             ({
                 s.names[mechanism], droppedCandidate::reason::failed,
                 weak.failure, 0, 0
             });
         }
     }
-    candidates.left = left;
     s.build();
+    return result;
 }

@@ -30,52 +30,47 @@ void warnOfClock(const study& s)
 }
 
 
-finding diagnosed(sampler& ask, const settings& set)
+//- The candidates that may be the cause: none where nothing is detected
+screenedCandidates screenAll
+(
+    study& s,
+    const scored& base,
+    const std::vector<int>& failing,
+    const bool detected
+)
+{
+    const screenedCandidates candidates(screen(s, base, failing));
+    return
+        detected
+      ? addSensitivityRuns(s, base, candidates)
+      : screenedCandidates{{}, candidates.dropped, candidates.failing};
+}
+
+
+finding runStages(sampler& ask, const settings& set)
 {
     study s(ask, set);
     warnOfClock(s);
-    finding f;
-    f.library = s.names;
-
     addUncertainty(s);
-    std::vector<int> never(addCalibrationRuns(s));
-    const scored base(detect(s, f));
-    const bool detected = isDetected(s, f);
-    screened candidates(screen(s, base, never));
-    if (detected)
+    const std::vector<int> failing(addCalibrationRuns(s));
+    const scored base(s.calibration.score().base());
+    const misfitDetection detection(detect(s, base));
+    const bool detected = detection.calibrated.p < set.significance;
+    const screenedCandidates candidates(screenAll(s, base, failing, detected));
+    const explanations explained(rank(s, candidates.left, detected));
+    const separation apart(separate(s, candidates.left, explained.baseline()));
+    const gateTests tests(testGates(s, candidates.left, detection, explained));
+    const evidence e
     {
-        addSensitivityRuns(s, base, candidates, never);
-    }
-    else
+        s.names, detection, candidates, explained, apart, tests, s.failed
+    };
+    const decision verdict(decide(s, e));
+    const correctionFit correction(correct(s, e, verdict));
+    return
     {
-        candidates.left.clear();
-    }
-    f.dropped = candidates.dropped;
-    f.failing = s.namesOf(never);
-
-    Info<< "Sensors and mechanisms" << endl;
-    f.explained = explanations
-    (
-        s.calibration.score().all
-        (
-            candidates.left,
-            possibleFaults(s.calibration.data(), set.faults),
-            set.pairs
-        )
-    );
-    if (detected)
-    {
-        refitBest(s, f.explained);
-    }
-    prefer(s, f.explained, detected);
-    tellApart(s, candidates.left, f);
-
-    const auto known(askGates(s, candidates.left, f));
-    f.failedRuns = s.failed;
-    decide(s, f);
-    correct(s, known, f);
-    f.nRuns += s.nRuns;
-    return f;
+        e, withCorrection(set, verdict, correction), correction,
+        s.nRuns + correction.nRuns
+    };
 }
 
 
@@ -102,7 +97,7 @@ Foam::misfit::diagnose(sampler& ask, const settings& set)
 {
     try
     {
-        return diagnosed(ask, set);
+        return runStages(ask, set);
     }
     catch (const std::domain_error& e)
     {

@@ -150,15 +150,22 @@ bool holdsIn
     state = c.s.state(other.experiment, x);
     const samples after(c.s.means(List<runState>(1, state)).first());
     const settings& set = c.s.set;
-    List<heldOut>& held = c.found.held;
+    if (!after.ok())
+    {
+        return false;
+    }
+    const auto held
+    (
+        compare(heldOut::part::experiment, other, before, after, known, set)
+    );
+    if (!held)
+    {
+        return false;
+    }
+    c.found.held.append(*held);
     return
-        after.ok()
-     && compare
-        (
-            heldOut::part::experiment, other, before, after, known, set, held
-        )
-     && held.last().squareAfter
-     <= max(confirmingSquare(held.last(), set), held.last().limitOfMatch);
+        held->squareAfter
+     <= max(confirmingSquare(*held, set), held->limitOfMatch);
 }
 
 
@@ -170,11 +177,12 @@ void test
     const std::map<word, covariance>& known
 )
 {
-    correctionFound& found = c.found;
+    correctionFit& found = c.found;
     found.after = r.best.best.f;
     found.left = scanResidual(c.s, r.best).p;
     found.isEnough = found.left >= c.s.set.adequacy;
-    compareHere(c.s, c.given, r.given, c.s.validation.uncertainty(), found.held);
+    found.held =
+        compareHere(c.s, c.given, r.given, c.s.validation.uncertainty());
     label nTried = 0;
     label held = 0;
     for (label i = 1; i < c.s.experiments.size(); ++i)
@@ -196,23 +204,14 @@ void test
 }
 
 
-//- A law of dimensionless numbers is a name, as sure as its lead up to a limit: no
-//  case of the table of confidences has one
-void nameLaw(const settings& set, finding& f)
+word nameOf(const dimensionlessLaw& law)
 {
-    const fittedLaw& l = f.correction.laws.first();
-    word name(l.law.family);
-    for (const word& group : l.law.groups)
+    word name(law.family);
+    for (const word& group : law.groups)
     {
         name += ':' + group;
     }
-    f.verdict = verdictKind::named;
-    f.names = wordList(1, name);
-    f.confidence = min
-    (
-        1/(1 + std::exp(-0.5*l.lead/set.temperature)), set.largestUncalibrated
-    );
-    f.grounds.resize(0);
+    return name;
 }
 
 } // End anonymous namespace
@@ -259,17 +258,16 @@ Foam::misfit::correcting::compute(const scored& start)
 }
 
 
-Foam::misfit::correctionFound Foam::misfit::fitCorrection
+Foam::misfit::correctionFit Foam::misfit::fitCorrection
 (
     const study& s,
     const scored& base,
-    const std::map<word, covariance>& known,
-    label& runs
+    const std::map<word, covariance>& known
 )
 {
     Info<< "Free correction" << endl;
     correcting c(s, base);
-    correctionFound& found = c.found;
+    correctionFit& found = c.found;
     if (computeSensitivities(c))
     {
         const computed best(followLaws(c, fitFreely(c)));
@@ -281,38 +279,55 @@ Foam::misfit::correctionFound Foam::misfit::fitCorrection
         found.named =
             found.explained && found.transfers && found.holds && found.isEnough;
     }
-    runs += c.s.nRuns;
+    found.nRuns = c.s.nRuns;
     return found;
 }
 
 
-void Foam::misfit::correct
+Foam::misfit::correctionFit Foam::misfit::correct
 (
     const study& s,
-    const std::map<word, covariance>& known,
-    finding& f
+    const evidence& e,
+    const decision& d
 )
 {
     // Where the fitted channels agree there is nothing to fit it to
     const bool tries =
-        f.verdict == verdictKind::unknown && s.set.correction.size()
-     && f.gates.passed(gateKind::detection);
-    if (!tries)
+        d.kind == verdictKind::unknown && s.set.correction.size()
+     && e.tests.gates.passed(gateKind::detection);
+    return
+        tries
+      ? fitCorrection(s, e.explained.baseline(), e.tests.uncertainty)
+      : correctionFit();
+}
+
+
+Foam::misfit::decision Foam::misfit::withCorrection
+(
+    const rules& limits,
+    const decision& before,
+    const correctionFit& correction
+)
+{
+    decision d(before);
+    if (correction.after.size())
     {
-        return;
+        d.after = correction.after;
     }
-    f.correction =
-        fitCorrection(s, f.explained.baseline(), known, f.nRuns);
-    const correctionFound& found = f.correction;
-    if (found.after.size())
+    if (correction.named)
     {
-        f.after = found.after;
-        f.held = found.held;
+        // A law of dimensionless numbers is a name, as sure as its lead up to a limit:
+        // no case of the table of confidences has one
+        const fittedLaw& l = correction.laws.first();
+        d.kind = verdictKind::named;
+        d.names = wordList(1, nameOf(l.law));
+        d.grounds.resize(0);
+        d.confidence = min
+        (
+            1/(1 + std::exp(-0.5*l.lead/limits.temperature)), limits.largestUncalibrated
+        );
     }
-    if (found.named)
-    {
-        nameLaw(s.set, f);
-    }
+    return d;
 }
 
 

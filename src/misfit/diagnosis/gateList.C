@@ -50,7 +50,7 @@ bool Foam::misfit::mustBeBelow(const gateKind kind)
 
 bool Foam::misfit::gateList::passed(const gateKind kind) const
 {
-    if (!statistics::contains(asked_, kind))
+    if (!statistics::contains(tested_, kind))
     {
         FatalErrorInFunction
             << "The gate " << gateNames[kind] << " was never tested"
@@ -87,4 +87,18 @@ bool Foam::misfit::gateList::allowAnswer() const
 {
     const auto passes = [this](const gateKind kind) { return passed(kind); };
     return std::all_of(ofAnyAnswer.begin(), ofAnyAnswer.end(), passes);
+}
+
+
+Foam::wordList Foam::misfit::gateList::failedExperiments() const
+{
+    wordList names;
+    for (const gate& g : gates_)
+    {
+        if (g.experiment.size())
+        {
+            names.append(g.experiment);
+        }
+    }
+    return names;
 }

@@ -17,7 +17,7 @@ struct gateContext
 
     const std::vector<int>& mechanisms;
 
-    finding& f;
+    const explanations& explained;
 
     //- Score that what is named gains with nothing unknown beside it
     scalar alone = 0;
@@ -28,14 +28,19 @@ struct gateContext
         return s.set;
     }
 
+    const scored& best() const
+    {
+        return explained.best();
+    }
+
     const hypothesis& what() const
     {
-        return f.best().what;
+        return best().what;
     }
 
     scalar gain() const
     {
-        return f.explained.baseline().score - f.best().score;
+        return explained.baseline().score - best().score;
     }
 };
 
@@ -48,12 +53,12 @@ scalar gainAlone(const gateContext& a)
     {
         return statistics::gain(a.s.calibration, a.what());
     }
-    for (const scored& w : a.f.explained.all())
+    for (const scored& w : a.explained.all())
     {
         // Scored with the uncertainty where the exchange moves it
         if (a.what().fault && w.what == a.what().known())
         {
-            return a.f.explained.baseline().score - w.score;
+            return a.explained.baseline().score - w.score;
         }
     }
     return 0;
@@ -62,7 +67,7 @@ scalar gainAlone(const gateContext& a)
 
 gate computedGate(const gateContext& a)
 {
-    gate g(gateKind::computed, a.f.explained.find(a.what()) != nullptr, 1);
+    gate g(gateKind::computed, a.explained.find(a.what()) != nullptr, 1);
     g.applies = !a.what().isOnlyUnknown() && !a.what().isNone();
     return g;
 }
@@ -81,10 +86,10 @@ bool saySame(const hypothesis& best, const hypothesis& h)
 gate gapGate(const gateContext& a)
 {
     // The best of those that say the same leads
-    scalar own = a.f.best().score;
+    scalar own = a.best().score;
     scalar others = GREAT;
     std::optional<hypothesis> next;
-    for (const scored& w : a.f.explained.all())
+    for (const scored& w : a.explained.all())
     {
         if (saySame(a.what(), w.what))
         {
@@ -108,7 +113,7 @@ gate adequacyGate(const gateContext& a)
     gate g
     (
         gateKind::adequacy,
-        scanResidual(a.s, a.f.best()).p,
+        scanResidual(a.s, a.best()).p,
         a.set().adequacy
     );
     const bool isMostlyUnknown =
@@ -121,7 +126,7 @@ gate adequacyGate(const gateContext& a)
 //- What wins without a channel
 scored winnerWithout(const gateContext& a, const label channel)
 {
-    const scored& best = a.f.best();
+    const scored& best = a.best();
     const sampledModel rest(a.s.calibration.without(channel));
     const std::vector<scored> all
     (
@@ -158,26 +163,43 @@ scored winnerWithout(const gateContext& a, const label channel)
 }
 
 
-//- The explanation still wins with each channel left out in turn; what wins instead
-//  is one of the winners
-gate stabilityGate(const gateContext& a)
+//- A mechanism is tested with each channel left out in turn
+bool isOfSeveralChannels(const gateContext& a)
+{
+    return
+        a.s.calibration.data().segments.size() > 1 && a.what().mechanisms.size();
+}
+
+
+//- What else wins as each channel is left out in turn
+std::vector<winner> winnersWithoutChannels(const gateContext& a)
 {
     const std::vector<segment>& channels = a.s.calibration.data().segments;
-    const bool applies = channels.size() > 1 && a.what().mechanisms.size();
-    const label n = applies ? count(channels) : 0;
-    wordList lost;
+    const label n = isOfSeveralChannels(a) ? count(channels) : 0;
+    std::vector<winner> winners;
     for (label i = 0; i < n; ++i)
     {
         const scored w(winnerWithout(a, i));
         if (!(w.what == a.what()))
         {
-            a.f.winners.push_back({channels[i].name, w});
-            lost.append(channels[i].name);
+            winners.push_back({channels[i].name, w});
         }
     }
-    gate g(gateKind::stability, n - lost.size(), n);
+    return winners;
+}
+
+
+//- The explanation still wins without each of the channels
+gate stabilityGate(const gateContext& a, const std::vector<winner>& others)
+{
+    const bool applies = isOfSeveralChannels(a);
+    const label n = applies ? count(a.s.calibration.data().segments) : 0;
+    gate g(gateKind::stability, n - count(others), n);
     g.applies = applies;
-    g.lost = lost;
+    for (const winner& other : others)
+    {
+        g.lost.append(other.channel);
+    }
     return g;
 }
 
@@ -193,13 +215,13 @@ gate aloneGate(const gateContext& a)
 
 
 //- A misfit with the wrong sign, or moved in time, gains less than half as much
-gate placeboGate(const gateContext& a)
+gate placeboGate(const gateContext& a, const List<heldOut>& held)
 {
     // What held-out data confirm was seen at other times and places indeed
     const statistics::placebo placebo
     (
-        a.s.calibration, a.f.explained.baseline(), a.f.best(),
-        isConfirmed(a.f.held, a.set()) ? -1 : a.set().lastingEffect
+        a.s.calibration, a.explained.baseline(), a.best(),
+        isConfirmed(held, a.set()) ? -1 : a.set().lastingEffect
     );
     gate g(gateKind::placebo, placebo.gain, a.set().placebo*a.alone);
     g.applies = a.what().mechanisms.size() && a.alone >= a.set().evidence;
@@ -211,49 +233,42 @@ gate placeboGate(const gateContext& a)
 } // End anonymous namespace
 
 
-std::map<Foam::word, Foam::misfit::covariance> Foam::misfit::askGates
+Foam::misfit::gateTests Foam::misfit::testGates
 (
     study& s,
     const std::vector<int>& mechanisms,
-    finding& f
+    const misfitDetection& detection,
+    const explanations& explained
 )
 {
     Info<< "Gates" << endl;
-    const settings& set = s.set;
-    gateContext a{s, mechanisms, f};
-    f.gates.add({gateKind::detection, f.detection.p, set.significance});
-    f.gates.addNothing(gateKind::computed);
-    const bool detected = f.gates.passed(gateKind::detection);
+    gateContext a{s, mechanisms, explained};
+    gateList gates;
+    gates.add({gateKind::detection, detection.calibrated.p, s.set.significance});
+    gates.addNothing(gateKind::computed);
+    const bool detected = gates.passed(gateKind::detection);
     if (detected)
     {
         a.alone = gainAlone(a);
-        f.gates.add({gateKind::evidence, a.gain(), set.evidence});
-        f.gates.add(computedGate(a));
-        f.gates.add(gapGate(a));
-        f.gates.add(adequacyGate(a));
-    }
-    else
-    {
-        // Where the fitted channels agree, others may part all the same
-        f.explained.putFirst(hypothesis(f.explained.baseline().what));
+        gates.add({gateKind::evidence, a.gain(), s.set.evidence});
+        gates.add(computedGate(a));
+        gates.add(gapGate(a));
+        gates.add(adequacyGate(a));
     }
 
-    const auto elsewhere
-    (
-        predictHeldOut
-        (
-            s,
-            a.what().isNone() || blamesOneSensor(a.what())
-         || !f.gates.passed(gateKind::evidence),
-            f
-        )
-    );
-    askHeldOut(s, f);
+    const bool mayBeNothing =
+        a.what().isNone() || blamesOneSensor(a.what())
+     || !gates.passed(gateKind::evidence);
+    const heldOutPrediction predicted(predictHeldOut(s, explained, mayBeNothing));
+    gates.add(predicted.failures);
+    gates.add(heldOutGates(s, explained, predicted.held));
+    std::vector<winner> winners;
     if (detected)
     {
-        f.gates.add(stabilityGate(a));
-        f.gates.add(aloneGate(a));
-        f.gates.add(placeboGate(a));
+        winners = winnersWithoutChannels(a);
+        gates.add(stabilityGate(a, winners));
+        gates.add(aloneGate(a));
+        gates.add(placeboGate(a, predicted.held));
     }
-    return elsewhere;
+    return {gates, winners, predicted.held, predicted.uncertainty};
 }

@@ -3,15 +3,14 @@
 
 #include "heldOut.H"
 
-bool Foam::misfit::compare
+std::optional<Foam::misfit::heldOut> Foam::misfit::compare
 (
     const heldOut::part what,
     const observed& recorded,
     const samples& before,
     const samples& after,
     const covariance& known,
-    const rules& limits,
-    List<heldOut>& held
+    const rules& limits
 )
 {
     const purpose use =
@@ -23,7 +22,7 @@ bool Foam::misfit::compare
     const label n = data.size();
     if (!n || from.size() != n || to.size() != n)
     {
-        return false;
+        return std::nullopt;
     }
     const mat uncertain(known.at(to));
     const whitener white(uncertain);
@@ -31,33 +30,42 @@ bool Foam::misfit::compare
     {
         return white(vec(data.y - f)).squaredNorm()/n;
     };
-    held.append
-    ({
+    return heldOut
+    {
         what, recorded.experiment, use, data, from, to,
         uncertain.diagonal().cwiseSqrt(), square(from), square(to),
         statistics::chanceOfSquare(n, limits.adequacy), matchLimit(n, limits)
-    });
-    return true;
+    };
 }
 
 
-void Foam::misfit::compareHere
+Foam::List<Foam::misfit::heldOut> Foam::misfit::compareHere
 (
     const study& s,
     const samples& before,
     const samples& after,
-    const covariance& known,
-    List<heldOut>& held
+    const covariance& known
 )
 {
     const observed& here = s.data();
+    const covariance ofTest(here.test, s.set.clockUncertainty);
     using part = heldOut::part;
-    compare(part::validation, here, before, after, known, s.set, held);
-    compare
+    List<heldOut> all;
+    for
     (
-        part::test, here, before, after,
-        covariance(here.test, s.set.clockUncertainty), s.set, held
-    );
+        const auto& one :
+        {
+            compare(part::validation, here, before, after, known, s.set),
+            compare(part::test, here, before, after, ofTest, s.set)
+        }
+    )
+    {
+        if (one)
+        {
+            all.append(*one);
+        }
+    }
+    return all;
 }
 
 

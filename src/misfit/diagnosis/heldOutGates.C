@@ -59,16 +59,15 @@ gate heldOutGate
 
 //- Covariance that chaos gives what the best predicts and what that is more than what
 //  nothing does, over the variance of a run: of values of the surface, or of two runs
-scalar sharedChaos(const study& s, const finding& f)
+scalar sharedChaos(const study& s, const explanations& all)
 {
     if (s.ask.trainingEnsemble().empty())
     {
         return 1.0/s.set.commonRandomNumbers;
     }
-    const explanations& all = f.explained;
     return s.validation.surface().chanceShared
     (
-        all.lookUp(s, f.best()).variables, all.lookUp(s, all.baseline()).variables
+        all.lookUp(s, all.best()).variables, all.lookUp(s, all.baseline()).variables
     );
 }
 
@@ -77,12 +76,12 @@ scalar sharedChaos(const study& s, const finding& f)
 gate degradesHeldOutGate
 (
     const study& s,
-    const finding& f,
+    const explanations& explained,
     const heldOut& h,
     const label number
 )
 {
-    const scored& best = f.best();
+    const scored& best = explained.best();
     const bool worse =
         best.what.mechanisms.size() && h.squareAfter > h.squareBefore;
     gate g
@@ -91,7 +90,8 @@ gate degradesHeldOutGate
         worse
       ? statistics::chanceOfDegradation
         (
-            s.calibration, s.validation, best, h.before, h.after, sharedChaos(s, f)
+            s.calibration, s.validation, best, h.before, h.after,
+            sharedChaos(s, explained)
         )
       : 1,
         s.set.significance
@@ -129,22 +129,29 @@ bool Foam::misfit::isConfirmed(const List<heldOut>& held, const rules& limits)
 }
 
 
-void Foam::misfit::askHeldOut(const study& s, finding& f)
+Foam::misfit::gateList Foam::misfit::heldOutGates
+(
+    const study& s,
+    const explanations& explained,
+    const List<heldOut>& held
+)
 {
+    gateList gates;
     for (const gateKind k :
         {gateKind::heldOut, gateKind::transfer, gateKind::degradesHeldOut})
     {
-        f.gates.addNothing(k);
+        gates.addNothing(k);
     }
-    forAll(f.held, i)
+    forAll(held, i)
     {
-        if (f.held[i].use == purpose::validation)
+        if (held[i].use == purpose::validation)
         {
-            f.gates.add(heldOutGate(s.set, f.best().what, f.held[i], i));
+            gates.add(heldOutGate(s.set, explained.best().what, held[i], i));
         }
-        if (f.held[i].what == heldOut::part::validation)
+        if (held[i].what == heldOut::part::validation)
         {
-            f.gates.add(degradesHeldOutGate(s, f, f.held[i], i));
+            gates.add(degradesHeldOutGate(s, explained, held[i], i));
         }
     }
+    return gates;
 }

@@ -81,133 +81,160 @@ void addCalibration
 }
 
 
-//- An experiment in which the solver fails, once. why: empty where what replicates and
+//- An experiment in which the solver fails. why: empty where what replicates and
 //  numerics change there is not known
-void addFailure(finding& f, const word& experiment, const string& why)
+gate failureIn(const word& experiment, const string& why)
 {
-    if (f.failedExperiments.empty() || f.failedExperiments.last() != experiment)
-    {
-        f.failedExperiments.append(experiment);
-        gate g(gateKind::computed, 0, 1);
-        g.experiment = experiment;
-        g.failure = why;
-        f.gates.add(g);
-    }
+    gate g(gateKind::computed, 0, 1);
+    g.experiment = experiment;
+    g.failure = why;
+    return g;
 }
 
 
-//- What is uncertain in another experiment; without what replicates and numerics change
-//  where it only tests, or where the base fails. Finds where the solver fails there
-covariance uncertainIn
+//- The states of another experiment: before and after, and at steps from before
+List<runState> statesIn
 (
-    study& s,
-    const observed& other,
-    const List<runState>& states,
-    const List<samples>& given,
-    finding& f
-)
-{
-    covariance known(other.of(other.use), s.set.clockUncertainty);
-    if (other.use == purpose::validation && given[0].ok())
-    {
-        if (!addNumerics(s, other, known))
-        {
-            addFailure(f, other.experiment, "");
-        }
-        addCalibration(s, states, given, known);
-    }
-    return known;
-}
-
-
-//- Another experiment at the variables before and after, and at steps from before;
-//  returns what is uncertain there
-covariance predictIn
-(
-    study& s,
+    const study& s,
     const observed& other,
     const std::vector<vec>& steps,
-    finding& f
+    const explanations& e
 )
 {
-    const explanations& e = f.explained;
     const vec before = e.lookUp(s, e.baseline()).variables;
-    const bool validates = other.use == purpose::validation;
     List<runState> states
     ({
         s.state(other.experiment, before),
         s.state(other.experiment, e.lookUp(s, e.best()).variables)
     });
-    for (label k = 0; validates && k < count(steps); ++k)
+    for (const vec& step : steps)
     {
-        states.append(s.state(other.experiment, before + steps[k]));
+        states.append(s.state(other.experiment, before + step));
     }
+    return states;
+}
+
+
+//- Another experiment: its held-out data, where the solver fails, and what is uncertain
+//  there. Without what replicates and numerics change where it only tests, or where the
+//  base fails
+struct experimentPrediction
+{
+    covariance known;
+
+    List<heldOut> held;
+
+    std::optional<gate> failure;
+};
+
+
+experimentPrediction predictIn
+(
+    study& s,
+    const observed& other,
+    const std::vector<vec>& steps,
+    const explanations& e
+)
+{
+    const bool validates = other.use == purpose::validation;
+    const List<runState> states
+    (
+        statesIn(s, other, validates ? steps : std::vector<vec>(), e)
+    );
     const List<samples> given(s.means(states));
-    covariance known(uncertainIn(s, other, states, given, f));
+    experimentPrediction r{covariance(other.of(other.use), s.set.clockUncertainty), {}, {}};
+    if (validates && given[0].ok())
+    {
+        if (!addNumerics(s, other, r.known))
+        {
+            r.failure = failureIn(other.experiment, "");
+        }
+        addCalibration(s, states, given, r.known);
+    }
 
     if (!given[0].ok() || !given[1].ok())
     {
         const label failed = given[1].ok() ? 0 : 1;
         s.leaveOut(states[failed], given[failed].failure);
-        if (validates)
+        if (validates && !r.failure)
         {
-            addFailure(f, other.experiment, given[failed].failure);
+            r.failure = failureIn(other.experiment, given[failed].failure);
         }
-        return known;
+        return r;
     }
     const samples after(withFault(s, e.best(), other, given[1]));
-    compare
-    (
-        heldOut::part::experiment, other, given[0], after, known, s.set, f.held
-    );
+    const auto add = [&](const heldOut::part what, const covariance& known)
+    {
+        if (const auto one = compare(what, other, given[0], after, known, s.set))
+        {
+            r.held.append(*one);
+        }
+    };
+    add(heldOut::part::experiment, r.known);
     if (validates)
     {
-        compare
+        add
         (
-            heldOut::part::testElsewhere, other, given[0], after,
-            covariance(other.test, s.set.clockUncertainty), s.set, f.held
+            heldOut::part::testElsewhere,
+            covariance(other.test, s.set.clockUncertainty)
         );
     }
+    return r;
+}
+
+
+//- What is uncertain in the validation channels of the experiment that is fitted, with
+//  what steps from these variables change
+covariance uncertainHere
+(
+    const study& s,
+    const vec& variables,
+    const std::vector<vec>& steps
+)
+{
+    const stacked& data = s.validation.data();
+    covariance known(s.validation.uncertainty());
+    mat changes(data.size(), steps.size());
+    for (label k = 0; data.size() && k < count(steps); ++k)
+    {
+        changes.col(k) = s.validation.surface().slopes(variables)*steps[k];
+    }
+    known.addDirections("calibration", changes);
     return known;
 }
 
 } // End anonymous namespace
 
 
-std::map<Foam::word, Foam::misfit::covariance> Foam::misfit::predictHeldOut
+Foam::misfit::heldOutPrediction Foam::misfit::predictHeldOut
 (
     study& s,
-    const bool mayBeNothing,
-    finding& f
+    const explanations& e,
+    const bool mayBeNothing
 )
 {
-    const explanations& e = f.explained;
     const computed before(e.lookUp(s, e.baseline()));
     const std::vector<vec> steps
     (
         mayBeNothing ? calibrationSteps(s, e.baseline()) : std::vector<vec>()
     );
-    const stacked& data = s.validation.data();
-    covariance known(s.validation.uncertainty());
-    mat changes(data.size(), steps.size());
-    for (label k = 0; data.size() && k < count(steps); ++k)
-    {
-        changes.col(k) =
-            s.validation.surface().slopes(before.variables)*steps[k];
-    }
-    known.addDirections("calibration", changes);
-    compareHere
+    heldOutPrediction all;
+    all.held = compareHere
     (
         s, before.given,
-        withFault(s, e.best(), s.data(), e.lookUp(s, e.best()).given), known,
-        f.held
+        withFault(s, e.best(), s.data(), e.lookUp(s, e.best()).given),
+        uncertainHere(s, before.variables, steps)
     );
-    std::map<word, covariance> elsewhere;
     for (label i = 1; i < s.experiments.size(); ++i)
     {
         const observed& other = s.experiments[i];
-        elsewhere.insert({other.experiment, predictIn(s, other, steps, f)});
+        const experimentPrediction one(predictIn(s, other, steps, e));
+        all.held.append(one.held);
+        if (one.failure)
+        {
+            all.failures.add(*one.failure);
+        }
+        all.uncertainty.insert({other.experiment, one.known});
     }
-    f.tested = f.held;
-    return elsewhere;
+    return all;
 }

@@ -12,7 +12,7 @@ using namespace Foam;
 using namespace Foam::misfit;
 
 //- Computes an explanation and notes what the solver gave
-scored computedAnew(study& s, explanations& e, const scored& w)
+scored recompute(study& s, explanations& e, const scored& w)
 {
     const computed c(refit(s, w));
     e.note(c);
@@ -48,6 +48,75 @@ void preferAmongRivals(const study& s, explanations& e)
         part.unknown = true;
         e.putFirst(part);
     }
+}
+
+
+//- The base and the best explanations, until the best of all was computed
+void refitBest(study& s, explanations& e)
+{
+    Info<< "Refit of the best explanations" << endl;
+    std::vector<scored>& all = e.all();
+    const label n = s.set.refit;
+
+    // The first run of each, side by side; the passes find them done
+    std::vector<vec> first;
+    for (label i = 0; i < count(all); ++i)
+    {
+        if (i < n || all[i].what.isNone())
+        {
+            first.push_back(s.calibration.model(all[i].what).expand(all[i].best.x));
+        }
+    }
+    s.means(first);
+
+    // The base too; then the best, until the best of all was computed
+    std::vector<hypothesis> done;
+    for (scored& w : all)
+    {
+        if (w.what.isNone())
+        {
+            w = recompute(s, e, w);
+            done.push_back(w.what);
+        }
+    }
+    const label most = min(n, label(all.size()));
+    for (label k = 0; k < n + 2; ++k)
+    {
+        e.sort();
+        label i = 0;
+        while (i < most && statistics::contains(done, all[i].what))
+        {
+            ++i;
+        }
+        if (i == most)
+        {
+            break;
+        }
+        done.push_back(all[i].what);
+        all[i] = recompute(s, e, all[i]);
+    }
+    e.sort();
+}
+
+
+//- Puts the simplest explanation that the rivals agree on first, as the solver
+//  computes it: held-out data are judged by the solver, not by the surface; what the
+//  solver makes worse gives way to the next
+void prefer(study& s, explanations& e, const bool detected)
+{
+    std::vector<hypothesis> tried;
+    for (label n = 0; n < s.set.refit + 2; ++n)
+    {
+        preferAmongRivals(s, e);
+        const hypothesis what(e.best().what);
+        if (!detected || e.find(what) || statistics::contains(tried, what))
+        {
+            return;
+        }
+        tried.push_back(what);
+        e.all().front() = recompute(s, e, e.best());
+    }
+    preferAmongRivals(s, e);
 }
 
 } // End anonymous namespace
@@ -154,66 +223,33 @@ Foam::misfit::computed Foam::misfit::refit
 }
 
 
-void Foam::misfit::refitBest(study& s, explanations& e)
+Foam::misfit::explanations Foam::misfit::rank
+(
+    study& s,
+    const std::vector<int>& mechanisms,
+    const bool detected
+)
 {
-    Info<< "Refit of the best explanations" << endl;
-    std::vector<scored>& all = e.all();
-    const label n = s.set.refit;
-
-    // The first run of each, side by side; the passes find them done
-    std::vector<vec> first;
-    for (label i = 0; i < count(all); ++i)
+    Info<< "Sensors and mechanisms" << endl;
+    explanations all
+    (
+        s.calibration.score().all
+        (
+            mechanisms,
+            possibleFaults(s.calibration.data(), s.set.faults),
+            s.set.pairs
+        )
+    );
+    if (detected)
     {
-        if (i < n || all[i].what.isNone())
-        {
-            first.push_back(s.calibration.model(all[i].what).expand(all[i].best.x));
-        }
+        refitBest(s, all);
     }
-    s.means(first);
-
-    // The base too; then the best, until the best of all was computed
-    std::vector<hypothesis> done;
-    for (scored& w : all)
+    prefer(s, all, detected);
+    if (!detected)
     {
-        if (w.what.isNone())
-        {
-            w = computedAnew(s, e, w);
-            done.push_back(w.what);
-        }
+        // Where the fitted channels agree, others may part all the same
+        all.putFirst(hypothesis(all.baseline().what));
     }
-    const label most = min(n, label(all.size()));
-    for (label k = 0; k < n + 2; ++k)
-    {
-        e.sort();
-        label i = 0;
-        while (i < most && statistics::contains(done, all[i].what))
-        {
-            ++i;
-        }
-        if (i == most)
-        {
-            break;
-        }
-        done.push_back(all[i].what);
-        all[i] = computedAnew(s, e, all[i]);
-    }
-    e.sort();
-}
-
-
-void Foam::misfit::prefer(study& s, explanations& e, const bool detected)
-{
-    std::vector<hypothesis> tried;
-    for (label n = 0; n < s.set.refit + 2; ++n)
-    {
-        preferAmongRivals(s, e);
-        const hypothesis what(e.best().what);
-        if (!detected || e.find(what) || statistics::contains(tried, what))
-        {
-            return;
-        }
-        tried.push_back(what);
-        e.all().front() = computedAnew(s, e, e.best());
-    }
-    preferAmongRivals(s, e);
+    statistics::setProbabilities(all.all(), s.set.temperature);
+    return all;
 }

@@ -40,11 +40,11 @@ bool isOpposite
 } // End anonymous namespace
 
 
-Foam::misfit::screened Foam::misfit::screen
+Foam::misfit::screenedCandidates Foam::misfit::screen
 (
     const study& s,
     const scored& base,
-    const std::vector<int>& never
+    const std::vector<int>& failing
 )
 {
     Info<< "Screening of the candidates" << endl;
@@ -70,7 +70,8 @@ Foam::misfit::screened Foam::misfit::screen
     }
 
     using reason = droppedCandidate::reason;
-    screened result;
+    screenedCandidates result;
+    result.failing = failing;
     forAll(s.set.candidates, i)
     {
         const candidate& c = s.set.candidates[i];
@@ -78,7 +79,7 @@ Foam::misfit::screened Foam::misfit::screen
         {
             result.dropped.append({c.name, why, "", c.bound, largest});
         };
-        if (statistics::contains(never, int(i)))
+        if (statistics::contains(failing, int(i)))
         {
             drop(reason::failedAlways);
         }

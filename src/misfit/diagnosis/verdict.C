@@ -67,75 +67,78 @@ bool blameTheSame(const std::vector<scored>& near, const hypothesis& best)
 }
 
 
-//- The simplest of these are the answer
-void callSet(const std::vector<scored>& all, finding& f)
+//- The simplest of these are the answer: one that adds to another of the set says
+//  nothing more
+decision setOf(const std::vector<scored>& all)
 {
-    // One that adds to another of the set says nothing more
-    f.names.clear();
-    f.alternatives = simplest(all);
-    f.verdict = verdictKind::set;
+    decision d;
+    d.kind = verdictKind::set;
+    d.alternatives = simplest(all);
+    return d;
+}
+
+
+decision channelOf(const sensorFault& fault)
+{
+    decision d;
+    d.kind =
+        fault.isRegistration()
+      ? verdictKind::registration : verdictKind::sensor;
+    d.names = wordList(1, word(fault.channel));
+    if (fault.kind == faultKind::swapped)
+    {
+        d.names.append(fault.partner);
+    }
+    return d;
+}
+
+
+decision nameOf(const wordList& mechanisms)
+{
+    decision d;
+    d.kind = verdictKind::named;
+    d.names = mechanisms;
+    return d;
 }
 
 
 //- Chooses the verdict among the rivals
-void judge(const study& s, const std::vector<scored>& near, finding& f)
+decision judge
+(
+    const study& s,
+    const std::vector<scored>& near,
+    const hypothesis& best
+)
 {
     for (const scored& w : near)
     {
         if (w.what.isOnlyUnknown())
         {
-            f.verdict = verdictKind::unknown;
-            return;
+            decision d;
+            d.kind = verdictKind::unknown;
+            return d;
         }
     }
-    const hypothesis& best = f.best().what;
     if (blameTheSame(near, best))
     {
-        f.verdict =
-            best.fault->isRegistration()
-          ? verdictKind::registration : verdictKind::sensor;
-        f.names = wordList(1, word(best.fault->channel));
-        if (best.fault->kind == faultKind::swapped)
-        {
-            f.names.append(best.fault->partner);
-        }
-        return;
+        return channelOf(*best.fault);
     }
     const std::vector<int> core(commonMechanisms(near));
-    if (core.size() && isSame(best.mechanisms, core))
-    {
-        f.names = s.namesOf(core);
-        f.verdict = verdictKind::named;
-        return;
-    }
-    callSet(near, f);
+    return
+        core.size() && isSame(best.mechanisms, core)
+      ? nameOf(s.namesOf(core)) : setOf(near);
 }
 
 
-//- Only what does not hang on one channel
-void weaken(const study& s, std::vector<scored> near, finding& f)
+//- The simplest of these, and what wins without a channel
+std::vector<scored> withWinners
+(
+    const std::vector<scored>& list,
+    const std::vector<winner>& winners
+)
 {
-    if (f.verdict == verdictKind::named)
-    {
-        near = std::vector<scored>(1, f.best());
-        std::vector<scored> all(near);
-        for (const winner& without : f.winners)
-        {
-            all.push_back(without.what);
-        }
-
-        // What wins without a channel, too, has some of it: that much is sure
-        const std::vector<int> sure(commonMechanisms(all));
-        if (sure.size())
-        {
-            f.names = s.namesOf(sure);
-            f.partly = true;
-            return;
-        }
-        f.weakened = true;
-    }
-    near = simplest(near);
-    for (const winner& without : f.winners)
+    std::vector<scored> near(simplest(list));
+    for (const winner& without : winners)
     {
         // What all data support does not give way to what wins on fewer
         const hypothesis& h = without.what.what;
@@ -149,14 +152,44 @@ void weaken(const study& s, std::vector<scored> near, finding& f)
             near.push_back(without.what);
         }
     }
-    callSet(near, f);
+    return near;
+}
+
+
+//- Only what does not depend on one channel
+decision weaken
+(
+    const study& s,
+    const std::vector<scored>& near,
+    const evidence& e,
+    const verdictKind kind
+)
+{
+    const std::vector<winner>& winners = e.tests.winners;
+    if (kind != verdictKind::named)
+    {
+        return setOf(withWinners(near, winners));
+    }
+    const std::vector<scored> best(1, e.best());
+    std::vector<scored> all(best);
+    for (const winner& without : winners)
+    {
+        all.push_back(without.what);
+    }
+
+    // What wins without a channel, too, has some of it: that much is sure
+    const std::vector<int> sure(commonMechanisms(all));
+    decision d(sure.size() ? nameOf(s.namesOf(sure)) : setOf(withWinners(best, winners)));
+    d.partly = sure.size();
+    d.weakened = sure.empty();
+    return d;
 }
 
 
 //- False if what was held out does not agree with nothing being wrong
-bool confirmsNone(const finding& f)
+bool confirmsNone(const gateTests& tests)
 {
-    for (const heldOut& h : f.held)
+    for (const heldOut& h : tests.held)
     {
         if (h.use == purpose::validation && h.squareBefore >= h.limitOfNothing)
         {
@@ -167,71 +200,82 @@ bool confirmsNone(const finding& f)
     // Where the fitted channels agree, an experiment in which the solver fails
     // confirms nothing
     return
-        f.gates.passed(gateKind::detection)
-     || f.gates.passed(gateKind::computed);
+        tests.gates.passed(gateKind::detection)
+     || tests.gates.passed(gateKind::computed);
 }
 
 
-//- Sets verdict and names
-void choose(const study& s, finding& f)
+//- The verdict and its names
+decision choose
+(
+    const study& s,
+    const std::vector<scored>& rivals,
+    const evidence& e
+)
 {
-    const gateList& gates = f.gates;
+    const gateList& gates = e.tests.gates;
+    decision d;
     if (gates.passed(gateKind::detection) && gates.passed(gateKind::evidence))
     {
-        judge(s, f.rivals, f);
+        d = judge(s, rivals, e.best().what);
         if (!gates.allowAnswer())
         {
-            f.verdict = verdictKind::unknown;
+            d.kind = verdictKind::unknown;
         }
         else if
         (
-            f.verdict != verdictKind::unknown
-         && !gates.passed(gateKind::stability)
+            d.kind != verdictKind::unknown && !gates.passed(gateKind::stability)
         )
         {
-            weaken(s, f.rivals, f);
+            d = weaken(s, rivals, e, d.kind);
         }
     }
-    if (f.verdict == verdictKind::none && !confirmsNone(f))
+    if (d.kind == verdictKind::none && !confirmsNone(e.tests))
     {
-        f.verdict = verdictKind::unknown;
+        d.kind = verdictKind::unknown;
     }
-    if (f.verdict == verdictKind::unknown)
+    if (d.kind == verdictKind::unknown)
     {
-        f.names.clear();
-        f.alternatives.clear();
+        d.names.clear();
+        d.alternatives.clear();
     }
+    return d;
 }
 
 
 //- Of the mechanisms that are named
-void setStrengths(const study& s, finding& f)
+List<fittedStrength> strengthsOf
+(
+    const study& s,
+    const scored& best,
+    const decision& d
+)
 {
-    const scored& best = f.best();
+    List<fittedStrength> all;
     for (label i = 0; i < count(best.what.mechanisms); ++i)
     {
         const label k = s.bounds.nParameters + i;
         const word& name = s.names[best.what.mechanisms[i]];
-        if (!f.partly || f.names.found(name))
+        if (!d.partly || d.names.found(name))
         {
-            f.strengths.append
+            all.append
             ({
                 name, best.best.x[k], best.best.deviation(k),
                 best.best.pinned[k]
             });
         }
     }
+    return all;
 }
 
 
 //- The best fit with nothing on but what is named
-runState namedState(const study& s, const finding& f)
+runState namedState(const study& s, const scored& best, const wordList& names)
 {
-    const scored& best = f.best();
     runState named(s.state(s.calibration.model(best.what).expand(best.best.x)));
     for (const word& name : named.strengths.toc())
     {
-        if (!f.names.found(name))
+        if (!names.found(name))
         {
             named.strengths.erase(name);
         }
@@ -240,41 +284,59 @@ runState namedState(const study& s, const finding& f)
 }
 
 
+//- What measurement would settle a set
+advice adviceOn(const study& s, const evidence& e, const decision& d)
+{
+    advice a;
+    if (d.kind == verdictKind::set && d.weakened)
+    {
+        a.what = advice::kind::check;
+    }
+    else if (d.kind == verdictKind::set)
+    {
+        a = measurementBetween(s, e.explained, d.alternatives);
+    }
+    return a;
+}
+
+
+//- Where the answer acts; else where recording and simulation part
+std::vector<place> locate(const study& s, const evidence& e, const decision& d)
+{
+    std::vector<place> named;
+    if (d.strengths.size() && !e.best().what.unknown)
+    {
+        named = locateNamed(s, e, d);
+    }
+    return named.size() ? named : e.detection.located;
+}
+
 } // End anonymous namespace
 
 
-void Foam::misfit::decide(const study& s, finding& f)
+Foam::misfit::decision
+Foam::misfit::decide(const study& s, const evidence& e)
 {
     Info<< "Verdict" << endl;
-    const settings& set = s.set;
-    statistics::setProbabilities(f.explained.all(), set.temperature);
-    f.rivals = f.explained.rivals(set);
-    choose(s, f);
+    const std::vector<scored> rivals(e.explained.rivals(s.set));
+    decision d(choose(s, rivals, e));
+    d.rivals = rivals;
 
     const bool changed =
-        f.verdict != verdictKind::none && f.verdict != verdictKind::unknown;
-    f.before = f.explained.baseline().best.f;
-    f.after = changed ? f.best().best.f : f.before;
+        d.kind != verdictKind::none && d.kind != verdictKind::unknown;
+    d.before = e.explained.baseline().best.f;
+    d.after = changed ? e.best().best.f : d.before;
     if (changed)
     {
-        setStrengths(s, f);
+        d.strengths = strengthsOf(s, e.best(), d);
     }
-    if (f.verdict == verdictKind::named)
+    if (d.kind == verdictKind::named)
     {
-        f.answer.append(namedState(s, f));
+        d.state = namedState(s, e.best(), d.names);
     }
-    if (f.verdict == verdictKind::set && f.weakened)
-    {
-        f.measure.what = advice::kind::check;
-    }
-    else if (f.verdict == verdictKind::set)
-    {
-        f.measure = measurementBetween(s, f);
-    }
-    if (f.strengths.size() && !f.best().what.unknown)
-    {
-        const std::vector<place> named(locateNamed(s, f));
-        f.located = named.size() ? named : f.located;
-    }
-    setConfidence(set, f);
+    d.measure = adviceOn(s, e, d);
+    d.located = locate(s, e, d);
+    d.grounds = groundsOf(s.set, e, d);
+    d.confidence = confidenceIn(s.set, e, d);
+    return d;
 }

@@ -2,8 +2,6 @@
 // A finding in words: the free correction and its laws.
 
 #include "words.H"
-#include "record.H"
-#include "report.H"
 
 #include <cmath>
 
@@ -20,7 +18,7 @@ string withDeviation(const scalar value, const scalar deviation)
 
 
 //- What it does to held-out data: the share of the misfit that is gone, and where none is
-void addHeld(json& facts, const correctionFound& c)
+void addHeld(json& facts, const correctionFit& c)
 {
     std::vector<string> gone;
     std::vector<string> worse;
@@ -106,7 +104,7 @@ Foam::string Foam::misfit::describe(const fittedLaw& l)
 }
 
 
-Foam::string Foam::misfit::describe(const correctionFound& c)
+Foam::string Foam::misfit::describe(const correctionFit& c)
 {
     const bool acts = c.elements.size() || c.explained;
     json facts =

@@ -2,7 +2,7 @@
 // The pictures of a report, drawn by gnuplot.
 
 #include "report.H"
-#include "units.H"
+#include "words.H"
 
 #include "OSspecific.H"
 
@@ -122,13 +122,6 @@ bool gnuplot(const fileName& folder, const std::string& name)
 } // End anonymous namespace
 
 
-std::string Foam::misfit::unitOf(const word& quantity)
-{
-    const word unit(siUnit(quantity));
-    return unit.empty() ? "" : '[' + unit + ']';
-}
-
-
 Foam::List<Foam::fileName> Foam::misfit::drawFigures
 (
     const finding& f,
@@ -139,8 +132,8 @@ Foam::List<Foam::fileName> Foam::misfit::drawFigures
     const bool found =
         f.correction.after.size()
      || (
-            f.verdict != verdictKind::none
-         && f.verdict != verdictKind::unknown
+            f.verdict.kind != verdictKind::none
+         && f.verdict.kind != verdictKind::unknown
         );
     List<std::string> names;
     const auto script = [&]
@@ -148,19 +141,24 @@ Foam::List<Foam::fileName> Foam::misfit::drawFigures
         const std::string& name, const std::string& variables, const word& file
     )
     {
-        std::ofstream(folder/name + ".gp") << variables << ofProject(file);
+        std::ofstream(folder/name + ".gp") << variables << templateText(file);
         names.append(name);
     };
 
-    forAll(f.held, i)
+    forAll(f.held(), i)
     {
-        const heldOut& h = f.held[i];
+        const heldOut& h = f.held()[i];
         const std::string name("heldOut" + std::to_string(i + 1));
         writeSeries(folder/name + ".dat", h.data, h.sigma, h.before, h.after);
         script(name, seriesVariables(h.data, name, found), "series.gp");
     }
-    writeSeries(folder/"fitted.dat", f.data, f.sigma, f.before, f.after);
-    script("fitted", seriesVariables(f.data, "fitted", found), "series.gp");
+    const misfitDetection& fitted = f.detection;
+    const decision& verdict = f.verdict;
+    writeSeries
+    (
+        folder/"fitted.dat", fitted.data, fitted.sigma, verdict.before, verdict.after
+    );
+    script("fitted", seriesVariables(fitted.data, "fitted", found), "series.gp");
 
     label row = 0;
     std::ostringstream rows;
@@ -172,9 +170,9 @@ Foam::List<Foam::fileName> Foam::misfit::drawFigures
             rows << "Name[" << ++row << "] = '" << s.name << mark << "'\n";
         }
     };
-    writeMap(map, f.data, f.sigma, f.before, f.after, row);
-    addRows(f.data, "");
-    for (const heldOut& h : f.held)
+    writeMap(map, fitted.data, fitted.sigma, verdict.before, verdict.after, row);
+    addRows(fitted.data, "");
+    for (const heldOut& h : f.held())
     {
         if (h.isHere() || h.what == heldOut::part::testElsewhere)
         {

@@ -2,8 +2,6 @@
 // The gates of a finding in words.
 
 #include "words.H"
-#include "record.H"
-#include "report.H"
 
 Foam::misfit::json Foam::misfit::gateWords(const gate& g, const finding& f)
 {
@@ -29,7 +27,7 @@ Foam::misfit::json Foam::misfit::gateWords(const gate& g, const finding& f)
     };
     if (g.held >= 0)
     {
-        const heldOut& h = f.tested[g.held];
+        const heldOut& h = f.tests.held[g.held];
         facts["ofHeldOut"] = g.kind != gateKind::degradesHeldOut;
         facts["what"] = describe(h);
         facts["before"] = number(h.squareBefore);

@@ -2,7 +2,6 @@
 // report.html: a diagnosis for a reader who has five minutes. The template
 // etc/misfit/report.html, filled with the record and what only a reader needs.
 
-#include "record.H"
 #include "report.H"
 #include "textFile.H"
 #include "words.H"
@@ -50,8 +49,8 @@ bool isMeant(const finding& f, const word& name)
         );
     };
     return
-        f.names.found(name) || has(f.best())
-     || std::any_of(f.alternatives.begin(), f.alternatives.end(), has);
+        f.verdict.names.found(name) || has(f.best())
+     || std::any_of(f.verdict.alternatives.begin(), f.verdict.alternatives.end(), has);
 }
 
 
@@ -90,16 +89,16 @@ json held(const heldOut& h, const bool isTold)
 //- Adds how sure the answer is, and what stands beside it
 void addAnswer(json& page, const finding& f)
 {
-    page["sure"] = percent(f.confidence) + ' ' + sureThat(f);
-    page["notScored"] = joined(f.dropped, ", ", [](const droppedCandidate& d)
+    page["sure"] = percent(f.verdict.confidence) + ' ' + sureThat(f);
+    page["notScored"] = joined(f.candidates.dropped, ", ", [](const droppedCandidate& d)
     {
         const string why(describe(d));
         return d.name + " (" + why.substr(0, why.find(':')) + ')';
     });
-    page["heldOut"] = each(f.held, [&f](const heldOut& h)
+    page["heldOut"] = each(f.held(), [&f](const heldOut& h)
     {
-        const bool isOfFault = f.blamesChannel() && h.squareAfter < h.squareBefore;
-        return held(h, f.strengths.size() || isOfFault);
+        const bool isOfFault = f.verdict.blamesChannel() && h.squareAfter < h.squareBefore;
+        return held(h, f.verdict.strengths.size() || isOfFault);
     });
 }
 
@@ -161,8 +160,8 @@ json candidates(const finding& f, const origin& from)
         const auto set = [](const caseChange& change) { return change.describe(1); };
         const auto strength = std::find_if
         (
-            f.strengths.begin(), f.strengths.end(),
-            [&](const foundStrength& s) { return s.name == c.name; }
+            f.verdict.strengths.begin(), f.verdict.strengths.end(),
+            [&](const fittedStrength& s) { return s.name == c.name; }
         );
         return
         {
@@ -170,7 +169,7 @@ json candidates(const finding& f, const origin& from)
             {"title", c.title},
             {"isMeant", c.title != c.name && isMeant(f, c.name)},
             {"sets", joined(c.changes, "; ", set)},
-            {"found", strength == f.strengths.end() ? json() : json(strength->value)}
+            {"found", strength == f.verdict.strengths.end() ? json() : json(strength->value)}
         };
     });
 }
@@ -180,11 +179,11 @@ json candidates(const finding& f, const origin& from)
 json distances(const finding& f)
 {
     json all = json::array();
-    forAll(f.candidates, i)
+    forAll(f.apart.names, i)
     {
         all.push_back
         ({
-            {"name", f.candidates[i]}, {"to", vec(f.apart.row(i).transpose())}
+            {"name", f.apart.names[i]}, {"to", vec(f.apart.distances.row(i).transpose())}
         });
     }
     return all;
@@ -194,8 +193,8 @@ json distances(const finding& f)
 //- Of a channel: its standard deviation [unit], and those that it is made of
 json uncertain(const finding& f, const segment& s)
 {
-    json all = json::array({shortNumber(s.rootMeanSquare(f.sigma), 2)});
-    for (const uncertaintySource& source : f.sources)
+    json all = json::array({shortNumber(s.rootMeanSquare(f.detection.sigma), 2)});
+    for (const uncertaintySource& source : f.detection.sources)
     {
         all.push_back(shortNumber(s.rootMeanSquare(source.second), 2));
     }
@@ -210,7 +209,7 @@ void keepFirst(const size_t most, json& list)
 
 
 //- Adds to that of the record its intervals and held-out data; no more laws than read
-void addToCorrection(json& all, const correctionFound& c)
+void addToCorrection(json& all, const correctionFit& c)
 {
     for (json& e : all["elements"])
     {
@@ -227,7 +226,7 @@ string caption(const finding& f, const word& name)
     json facts = {{name, true}};
     if (name.find("heldOut") == 0)
     {
-        const heldOut& h = f.held[std::stoi(name.substr(7)) - 1];
+        const heldOut& h = f.held()[std::stoi(name.substr(7)) - 1];
         const bool changes = h.squareBefore != h.squareAfter;
         facts["heldOut"] = describe(h);
         facts["before"] = number(h.squareBefore);
@@ -268,7 +267,7 @@ std::string Foam::misfit::reportHtml
     }
 
     // Where mechanisms are named, what they change counts too
-    page["isOfCause"] = f.strengths.size() && !f.best().what.unknown;
+    page["isOfCause"] = f.verdict.strengths.size() && !f.best().what.unknown;
     keepFirst(5, page["located"]);
     if (f.correction.isTried)
     {
@@ -276,11 +275,11 @@ std::string Foam::misfit::reportHtml
     }
     page["explanations"] = f.explained.all().size();
     page["scored"] = scoredFirst(f);
-    page["gates"] = each(f.gates, [&f](const misfit::gate& g) { return gateRow(g, f); });
+    page["gates"] = each(f.tests.gates, [&f](const misfit::gate& g) { return gateRow(g, f); });
     page["distances"] = distances(f);
-    page["sources"] = each(f.sources, [](const auto& s) { return s.first; });
+    page["sources"] = each(f.detection.sources, [](const auto& s) { return s.first; });
     page["uncertain"] =
-        each(f.data.segments, [&f](const segment& s) { return uncertain(f, s); });
+        each(f.detection.data.segments, [&f](const segment& s) { return uncertain(f, s); });
 
     return filled("report.html", page);
 }

@@ -2,7 +2,6 @@
 // The record of a diagnosis.
 
 #include "record.H"
-#include "report.H"
 #include "words.H"
 
 #include <cmath>
@@ -28,9 +27,9 @@ json parameters(const finding& f)
 {
     json all = json::array();
     const fitted& with = f.best().best;
-    forAll(f.parameters, i)
+    forAll(f.detection.parameters, i)
     {
-        const calibrated& p = f.parameters[i];
+        const calibratedParameter& p = f.detection.parameters[i];
         all.push_back
         ({
             {"name", p.name},
@@ -55,7 +54,7 @@ json parameters(const finding& f)
 json fault(const finding& f)
 {
     const hypothesis& what = f.best().what;
-    if (!f.blamesChannel() || !what.fault)
+    if (!f.verdict.blamesChannel() || !what.fault)
     {
         return nullptr;
     }
@@ -76,7 +75,7 @@ json fault(const finding& f)
 }
 
 
-json strength(const foundStrength& s)
+json strength(const fittedStrength& s)
 {
     return
     {
@@ -140,7 +139,7 @@ json law(const fittedLaw& l)
 }
 
 
-json freeCorrection(const correctionFound& c)
+json freeCorrection(const correctionFit& c)
 {
     return
     {
@@ -161,10 +160,10 @@ json freeCorrection(const correctionFound& c)
 json uncertainty(const finding& f)
 {
     json all = json::object();
-    for (const segment& s : f.data.segments)
+    for (const segment& s : f.detection.data.segments)
     {
-        all[s.name]["whole"] = s.rootMeanSquare(f.sigma);
-        for (const uncertaintySource& source : f.sources)
+        all[s.name]["whole"] = s.rootMeanSquare(f.detection.sigma);
+        for (const uncertaintySource& source : f.detection.sources)
         {
             all[s.name][source.first] = s.rootMeanSquare(source.second);
         }
@@ -196,9 +195,9 @@ json posterior(const finding& f)
 json grounds(const finding& f)
 {
     json all = nullptr;
-    for (label i = 0; i < f.grounds.size(); ++i)
+    for (label i = 0; i < f.verdict.grounds.size(); ++i)
     {
-        all[groundNames[i]] = f.grounds[i];
+        all[groundNames[i]] = f.verdict.grounds[i];
     }
     return all;
 }
@@ -207,12 +206,13 @@ json grounds(const finding& f)
 json apart(const finding& f)
 {
     json all = json::object();
-    forAll(f.candidates, i)
+    forAll(f.apart.names, i)
     {
-        all[f.candidates[i]] = vec(f.apart.row(i).transpose());
+        all[f.apart.names[i]] = vec(f.apart.distances.row(i).transpose());
     }
     return all;
 }
+
 
 //- A gate: what it is about, its number, and whether that must be below the limit or at
 //  least as large; channels without which another explanation wins; why a run failed.
@@ -222,7 +222,7 @@ json gateNumbers(const gate& g, const finding& f)
     return
     {
         {"name", gateNames[g.kind]},
-        {"of", g.held < 0 ? string(g.experiment) : describe(f.tested[g.held])},
+        {"of", g.held < 0 ? string(g.experiment) : describe(f.tests.held[g.held])},
         {"value", g.value},
         {"limit", g.limit},
         {"bound", mustBeBelow(g.kind) ? "below" : "atLeast"},
@@ -231,7 +231,6 @@ json gateNumbers(const gate& g, const finding& f)
         {"result", g.applies ? g.passed ? "passed" : "failed" : "none"}
     };
 }
-
 
 } // End anonymous namespace
 
@@ -243,28 +242,30 @@ Foam::misfit::recordOf(const finding& f, const string& title)
     {
         return {{"name", d.name}, {"why", describe(d)}};
     };
+    const auto where = [&f](const place& p) { return located(p, f.detection.data); };
+    const auto numbers = [&f](const gate& g) { return gateNumbers(g, f); };
     return
     {
         {"schema", schema},
         {"case", title},
-        {"verdict", verdictNames[f.verdict]},
+        {"verdict", verdictNames[f.verdict.kind]},
         {"names", answerOf(f)},
         {"words", describe(f)},
-        {"confidence", std::round(1000*f.confidence)/1000},
+        {"confidence", std::round(1000*f.verdict.confidence)/1000},
         {"confidenceFrom", grounds(f)},
-        {"strengths", each(f.strengths, &strength)},
+        {"strengths", each(f.verdict.strengths, &strength)},
         {"fault", fault(f)},
-        {"detection", {{"pRaw", f.raw.p}, {"p", f.detection.p}}},
-        {"located", each(f.located, [&f](const place& p) { return located(p, f.data); })},
+        {"detection", {{"pRaw", f.detection.raw.p}, {"p", f.detection.calibrated.p}}},
+        {"located", each(f.verdict.located, where)},
         {"calibration", parameters(f)},
         {"uncertainty", uncertainty(f)},
-        {"gates", each(f.gates, [&f](const misfit::gate& g) { return gateNumbers(g, f); })},
-        {"heldOut", each(f.held, &match)},
+        {"gates", each(f.tests.gates, numbers)},
+        {"heldOut", each(f.held(), &match)},
         {"freeCorrection", f.correction.isTried ? freeCorrection(f.correction) : json()},
         {"posterior", posterior(f)},
-        {"dropped", each(f.dropped, why)},
+        {"dropped", each(f.candidates.dropped, why)},
         {"failedRuns", each(f.failedRuns, [](const auto& run) { return describe(run); })},
-        {"correctedCase", f.answer.size() ? json(correctedCase) : json()},
+        {"correctedCase", f.verdict.state ? json(correctedCase) : json()},
         {"apart", apart(f)},
         {"advice", adviceOf(f)},
         {"statesAskedFor", f.nRuns}

@@ -2,9 +2,7 @@
 // Writes what a diagnosis found.
 
 #include "report.H"
-#include "record.H"
 #include "textFile.H"
-#include "words.H"
 
 #include "clock.H"
 #include "HashSet.H"
@@ -68,20 +66,6 @@ Foam::misfit::origin Foam::misfit::originOf
         from.experiments.append(experimentRow(recorded, name));
     }
     return from;
-}
-
-
-Foam::string Foam::misfit::ofProject(const word& file)
-{
-    const fileName whole(fileName("$INTERDEMFOAM_DIR/etc/misfit/" + file).expand());
-    const string text(contentOf(whole));
-    if (text.empty())
-    {
-        FatalErrorInFunction
-            << "Cannot read " << whole << ", which a report is made with. Restore it"
-            << " from the sources" << exit(FatalError);
-    }
-    return text;
 }
 
 

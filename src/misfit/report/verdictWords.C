@@ -2,8 +2,6 @@
 // A finding in words: the verdict, and how sure it is.
 
 #include "words.H"
-#include "record.H"
-#include "report.H"
 
 #include <algorithm>
 
@@ -54,7 +52,7 @@ string theBest(const finding& f)
 //- Why the cause is unknown
 void addUnknown(json& facts, const finding& f)
 {
-    const std::vector<gateKind> failed(f.gates.failed());
+    const std::vector<gateKind> failed(f.tests.gates.failed());
     const auto fails = [&failed](const gateKind kind)
     {
         return statistics::contains(failed, kind);
@@ -78,8 +76,8 @@ void addFault(json& facts, const finding& f)
     const sensorFault& fault = *f.best().what.fault;
     const fitted& best = f.best().best;
     const vec size = best.x.tail(fault.size());
-    segment at(f.data.segments.front());
-    for (const segment& s : f.data.segments)
+    segment at(f.detection.data.segments.front());
+    for (const segment& s : f.detection.data.segments)
     {
         at = s.name == fault.channel ? s : at;
     }
@@ -104,11 +102,11 @@ string alternatives(const finding& f)
             w.what.mechanisms.size() > 1
          || (w.what.unknown && w.what.mechanisms.size());
     };
-    if (std::none_of(f.alternatives.begin(), f.alternatives.end(), isMixed))
+    if (std::none_of(f.verdict.alternatives.begin(), f.verdict.alternatives.end(), isMixed))
     {
         return inWords(answerOf(f), "or");
     }
-    return joined(f.alternatives, ", or ", [&f](const scored& w)
+    return joined(f.verdict.alternatives, ", or ", [&f](const scored& w)
     {
         return
             describe(w.what, f.library)
@@ -132,21 +130,21 @@ bool mayBeTogether(const finding& f)
         };
         return
             w.what.mechanisms.size() == 2
-         && std::all_of(f.alternatives.begin(), f.alternatives.end(), has);
+         && std::all_of(f.verdict.alternatives.begin(), f.verdict.alternatives.end(), has);
     };
     return
-        f.alternatives.size() == 2
-     && std::all_of(f.alternatives.begin(), f.alternatives.end(), hasOne)
-     && std::any_of(f.rivals.begin(), f.rivals.end(), hasBoth);
+        f.verdict.alternatives.size() == 2
+     && std::all_of(f.verdict.alternatives.begin(), f.verdict.alternatives.end(), hasOne)
+     && std::any_of(f.verdict.rivals.begin(), f.verdict.rivals.end(), hasBoth);
 }
 
 
 //- The strengths. The first also names what they were fitted with, if not what is named
 json strengths(const finding& f)
 {
-    const bool ofMore = f.verdict == verdictKind::set || f.partly;
+    const bool ofMore = f.verdict.kind == verdictKind::set || f.verdict.partly;
     string asFitted(ofMore ? describe(f.best().what, f.library) : string());
-    return each(f.strengths, [&asFitted](const foundStrength& s) -> json
+    return each(f.verdict.strengths, [&asFitted](const fittedStrength& s) -> json
     {
         return
         {
@@ -165,10 +163,10 @@ json strengths(const finding& f)
 json winsWithout(const finding& f)
 {
     json all = json::array();
-    for (const scored& one : f.alternatives)
+    for (const scored& one : f.verdict.alternatives)
     {
         wordList channels;
-        for (const winner& w : f.winners)
+        for (const winner& w : f.tests.winners)
         {
             const hypothesis& other = w.what.what;
             if (other.fault == one.what.fault && other.hasMechanismsOf(one.what))
@@ -194,25 +192,25 @@ json winsWithout(const finding& f)
 void addLeftOut(json& facts, const finding& f)
 {
     facts["leftOut"] = true;
-    facts["names"] = inWords(f.names, "and");
-    facts["weakened"] = f.weakened;
+    facts["names"] = inWords(f.verdict.names, "and");
+    facts["weakened"] = f.verdict.weakened;
     facts["alternatives"] = alternatives(f);
     facts["mayBeTogether"] = mayBeTogether(f);
     facts["strengths"] = strengths(f);
     facts["winsWithout"] = winsWithout(f);
     facts["tried"] =
-        f.gates.applied(gateKind::heldOut) || f.gates.applied(gateKind::transfer);
+        f.tests.gates.applied(gateKind::heldOut) || f.tests.gates.applied(gateKind::transfer);
 
     // A lead of less is not worth a mention (Kass & Raftery 1995, J. Am. Stat.
     // Assoc. 90:777)
     const scalar mention = 2;
     const scored* more = betterWithMore(f);
-    if (f.verdict == verdictKind::named && more && more->score < f.best().score - mention)
+    if (f.verdict.kind == verdictKind::named && more && more->score < f.best().score - mention)
     {
         facts["mayBeAdded"] = describe(more->what.known(), f.library);
     }
     facts["stillOff"] = json::array();
-    for (const heldOut& h : f.tested)
+    for (const heldOut& h : f.tests.held)
     {
         if (h.use == purpose::validation && h.squareAfter > h.limitOfMatch)
         {
@@ -229,8 +227,8 @@ void addLeftOut(json& facts, const finding& f)
 
 Foam::wordList Foam::misfit::answerOf(const finding& f)
 {
-    wordList names(f.names);
-    for (const scored& w : f.alternatives)
+    wordList names(f.verdict.names);
+    for (const scored& w : f.verdict.alternatives)
     {
         // As where one is named, names are of mechanisms and faults
         names.append(word(describe(w.what.known(), f.library), false));
@@ -241,15 +239,15 @@ Foam::wordList Foam::misfit::answerOf(const finding& f)
 
 Foam::string Foam::misfit::describe(const finding& f)
 {
-    const correctionFound& c = f.correction;
+    const correctionFit& c = f.correction;
     if (c.named)
     {
         return "Left out, and in no candidate: " + describe(c);
     }
-    const bool detected = f.gates.passed(gateKind::detection);
-    const bool isNamed = f.verdict == verdictKind::named;
+    const bool detected = f.tests.gates.passed(gateKind::detection);
+    const bool isNamed = f.verdict.kind == verdictKind::named;
     wordList failed;
-    for (const gateKind kind : f.gates.failed())
+    for (const gateKind kind : f.tests.gates.failed())
     {
         failed.append(gateNames[kind]);
     }
@@ -259,29 +257,29 @@ Foam::string Foam::misfit::describe(const finding& f)
     };
     json facts =
     {
-        {verdictNames[f.verdict], true},
+        {verdictNames[f.verdict.kind], true},
         {"detected", detected},
-        {"elsewhere", f.verdict != verdictKind::none && !detected},
-        {"partsElsewhere", std::any_of(f.tested.begin(), f.tested.end(), parts)},
+        {"elsewhere", f.verdict.kind != verdictKind::none && !detected},
+        {"partsElsewhere", std::any_of(f.tests.held.begin(), f.tests.held.end(), parts)},
         {"failed", inWords(failed, "and")},
-        {"failedExperiments", inWords(f.failedExperiments, "and")},
-        {"failing", inWords(f.failing, "and")},
+        {"failedExperiments", inWords(f.tests.gates.failedExperiments(), "and")},
+        {"failing", inWords(f.failing(), "and")},
         {"best", theBest(f)},
         {"bestIsNone", f.best().what.isNone()},
         {
             "hasMore",
-            (isNamed || f.verdict == verdictKind::registration) && f.hasMore()
+            (isNamed || f.verdict.kind == verdictKind::registration) && f.hasMore()
         }
     };
-    if (f.verdict == verdictKind::unknown)
+    if (f.verdict.kind == verdictKind::unknown)
     {
         addUnknown(facts, f);
     }
-    else if (f.blamesChannel())
+    else if (f.verdict.blamesChannel())
     {
         addFault(facts, f);
     }
-    else if (f.verdict != verdictKind::none)
+    else if (f.verdict.kind != verdictKind::none)
     {
         addLeftOut(facts, f);
     }
@@ -295,15 +293,15 @@ Foam::string Foam::misfit::sureThat(const finding& f)
     (
         "sure",
         {
-            {verdictNames[f.verdict], true},
-            {"ofFault", f.blamesChannel()},
-            {"names", inWords(f.names, "and")},
-            {"one", f.names.size() == 1},
+            {verdictNames[f.verdict.kind], true},
+            {"ofFault", f.verdict.blamesChannel()},
+            {"names", inWords(f.verdict.names, "and")},
+            {"one", f.verdict.names.size() == 1},
             {"law", f.correction.named},
-            {"grounds", f.grounds.size() > 0},
+            {"grounds", f.verdict.grounds.size() > 0},
             {
                 "ofClock",
-                f.verdict != verdictKind::registration
+                f.verdict.kind != verdictKind::registration
              || f.best().what.fault->kind == faultKind::clock
             }
         }

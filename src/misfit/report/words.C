@@ -2,8 +2,6 @@
 // A finding in words: its parts.
 
 #include "words.H"
-#include "record.H"
-#include "report.H"
 #include "units.H"
 
 namespace
@@ -30,6 +28,13 @@ Foam::string Foam::misfit::inWords(const wordList& list, const string& last)
           + list[i];
     }
     return words;
+}
+
+
+std::string Foam::misfit::unitOf(const word& quantity)
+{
+    const word unit(siUnit(quantity));
+    return unit.empty() ? "" : '[' + unit + ']';
 }
 
 
@@ -190,7 +195,7 @@ Foam::string Foam::misfit::describe(const failedRun& r)
 
 Foam::string Foam::misfit::adviceOf(const finding& f)
 {
-    const advice& a = f.measure;
+    const advice& a = f.verdict.measure;
     const char* const kinds[] =
         {"nothing", "notRun", "measure", "elsewhere", "check"};
     const auto name = [&](const label i)
@@ -208,7 +213,7 @@ Foam::string Foam::misfit::adviceOf(const finding& f)
             {"at", shortNumber(a.at, 3)},
             {"axis", axisOf(a.channel)},
             {"times", shortNumber(a.times, 3)},
-            {"channels", joined(f.winners, " and ", [](const winner& w)
+            {"channels", joined(f.tests.winners, " and ", [](const winner& w)
             {
                 return w.channel;
             })}

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Templates of etc/misfit, filled with a record.
 
-#include "record.H"
-#include "report.H"
+#include "templates.H"
+#include "shortNumber.H"
+#include "textFile.H"
+
+#include "error.H"
+#include "fileName.H"
 
 #include <kainjow/mustache.hpp>
 
@@ -83,9 +87,23 @@ std::string onOneLine(const std::string& text)
 } // End anonymous namespace
 
 
+Foam::string Foam::misfit::templateText(const word& file)
+{
+    const fileName whole(fileName("$INTERDEMFOAM_DIR/etc/misfit/" + file).expand());
+    const string text(contentOf(whole));
+    if (text.empty())
+    {
+        FatalErrorInFunction
+            << "Cannot read " << whole << ", which a report is made with. Restore it"
+            << " from the sources" << exit(FatalError);
+    }
+    return text;
+}
+
+
 std::string Foam::misfit::filled(const word& file, const json& from)
 {
-    return checkedTemplate(file, ofProject(file)).render(filling(from));
+    return checkedTemplate(file, templateText(file)).render(filling(from));
 }
 
 
@@ -93,7 +111,7 @@ Foam::string Foam::misfit::renderTemplate(const word& part, const json& facts)
 {
     static mustache::mustache words
     (
-        [text = ofProject("words")]()
+        [text = templateText("words")]()
         {
             checkedTemplate("words", text);
             return onOneLine(text);

@@ -3,15 +3,14 @@
 
 #include "stages.H"
 
-void Foam::misfit::tellApart
+Foam::misfit::separation Foam::misfit::separate
 (
     const study& s,
     const std::vector<int>& mechanisms,
-    finding& f
+    const scored& base
 )
 {
     const sampledModel& calibration = s.calibration;
-    const scored& base = f.explained.baseline();
     const hypothesisModel model(calibration.model(base.what));
     const vec at = model.expand(base.best.x);
     const whitener white
@@ -22,7 +21,6 @@ void Foam::misfit::tellApart
         )
     );
 
-    f.candidates = s.namesOf(mechanisms);
     const label n = mechanisms.size();
     mat effects(calibration.size(), n);
     for (label i = 0; i < n; ++i)
@@ -35,7 +33,7 @@ void Foam::misfit::tellApart
     }
 
     // What is left of one when the other, at any strength, imitates it
-    f.apart.resize(n, n);
+    separation apart{s.namesOf(mechanisms), mat(n, n)};
     for (label i = 0; i < n; ++i)
     {
         for (label j = 0; j < n; ++j)
@@ -44,22 +42,27 @@ void Foam::misfit::tellApart
             const vec b = effects.col(j);
             const scalar share =
                 i == j ? 0 : max(a.dot(b), 0.0)/max(b.squaredNorm(), VSMALL);
-            f.apart(i, j) = (a - share*b).norm();
+            apart.distances(i, j) = (a - share*b).norm();
         }
     }
+    return apart;
 }
 
 
-Foam::misfit::advice
-Foam::misfit::measurementBetween(const study& s, const finding& f)
+Foam::misfit::advice Foam::misfit::measurementBetween
+(
+    const study& s,
+    const explanations& explained,
+    const std::vector<scored>& alternatives
+)
 {
     advice result;
     std::vector<computed> two;
-    for (const scored& w : f.alternatives)
+    for (const scored& w : alternatives)
     {
         if (two.size() < 2 && !w.what.isNone() && !w.what.isOnlyUnknown())
         {
-            two.push_back(f.explained.lookUp(s, w));
+            two.push_back(explained.lookUp(s, w));
         }
     }
     if (two.size() < 2)
