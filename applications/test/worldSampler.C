@@ -167,7 +167,7 @@ Foam::misfit::worldSampler::worldSampler
             world_.data.y += added;
         }
         std::vector<int> keep;
-        observed o;
+        observation o;
         o.experiment = e;
         o.use = e == "A" ? purpose::calibration : purpose::validation;
         if (e == "A")
@@ -242,7 +242,7 @@ Foam::scalar Foam::misfit::worldSampler::drawn
 void Foam::misfit::worldSampler::scatterReplicates(const scalar deviation)
 {
     replicateScatter_ = deviation;
-    for (observed& o : data_)
+    for (observation& o : data_)
     {
         const scalar recorded = drawn(o.experiment, 1 + world_.data.y.sum());
         o.calibration.y *= recorded;
@@ -350,7 +350,7 @@ void Foam::misfit::worldSampler::holdOutFew
 
 void Foam::misfit::worldSampler::addContradiction()
 {
-    observed o(data_.last());
+    observation o(data_.last());
     o.experiment = "D";
     vec x = vec::Zero(world_.bounds.mean.size());
     x[0] = -0.3;
@@ -403,7 +403,7 @@ Foam::misfit::worldSampler::operator()(const List<runState>& states)
 }
 
 
-const Foam::List<Foam::misfit::observed>&
+const Foam::List<Foam::misfit::observation>&
 Foam::misfit::worldSampler::data() const
 {
     return data_;

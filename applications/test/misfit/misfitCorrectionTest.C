@@ -152,7 +152,7 @@ TEST(misfitCorrection, readsWhatWaterWasMet)
 
     const HashTable<conditions> met
     (
-        correction(entries("correction { " + pushes + " }")).met(at.folder())
+        correction(entries("correction { " + pushes + " }")).waterIn(at.folder())
     );
     ASSERT_EQ(met.size(), 1);
     EXPECT_NEAR(met["push1_1"].velocity, 3, 1e-12);

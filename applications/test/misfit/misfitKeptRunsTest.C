@@ -43,9 +43,9 @@ struct fakeRuns
         }
     }
 
-    List<prediction> grown(const label most = labelMax, const label batch = 2)
+    List<prediction> predictions(const label most = labelMax, const label batch = 2)
     {
-        return kept.grown(ask.predict, most, batch);
+        return kept.predictions(ask.predict, most, batch);
     }
 
     std::string text() const
@@ -59,7 +59,7 @@ TEST(misfitKeptRuns, aFileHoldsRunsInWordsAndFourDigits)
 {
     const fakeCase c;
     fakeRuns runs(c, {1.23456, 9});
-    const List<prediction> p(runs.grown());
+    const List<prediction> p(runs.predictions());
     EXPECT_EQ
     (
         runs.text(),
@@ -68,7 +68,7 @@ TEST(misfitKeptRuns, aFileHoldsRunsInWordsAndFourDigits)
     );
     EXPECT_EQ(p[0].channels[0].y, scalarList({0, 0.6173, 1.235, 1.852, 2.469}));
     EXPECT_FALSE(p[1].ok());
-    const List<prediction> again(runs.grown());
+    const List<prediction> again(runs.predictions());
     EXPECT_EQ(again[0].channels[0].y, p[0].channels[0].y);
     EXPECT_EQ(again[0].channels[0].x, p[0].channels[0].x);
     EXPECT_FALSE(again[1].ok());
@@ -81,20 +81,20 @@ TEST(misfitKeptRuns, itIsGoneOnWithWhereItWasStopped)
     const fakeCase c;
     const scalarList slopes({1, 2, 3, 4, 1.5});
     fakeRuns all(whole, slopes);
-    all.grown();
-    EXPECT_EQ(fakeRuns(c, slopes).grown(3).size(), 3);
+    all.predictions();
+    EXPECT_EQ(fakeRuns(c, slopes).predictions(3).size(), 3);
     EXPECT_EQ(c.count(), 3);
 
     // Only the file is left
     rmDir(c.folder()/"misfit");
     fakeRuns more(c, slopes);
-    const std::string output(outputDuring([&]() { EXPECT_EQ(more.grown().size(), 5); }));
+    const std::string output(outputDuring([&]() { EXPECT_EQ(more.predictions().size(), 5); }));
     expectHolds(output, "runs.txt has 3 of 5 runs");
     expectHolds(output, "runs.txt has 5 of 5 runs");
     EXPECT_EQ(c.count(), 5);
     EXPECT_EQ(more.text(), all.text());
 
-    more.grown();
+    more.predictions();
     EXPECT_EQ(c.count(), 5);
 }
 
@@ -106,7 +106,7 @@ TEST(misfitKeptRuns, eachBatchIsInTheFileBeforeTheNextBegins)
     fakeRuns runs(c, {1, 2, 3, 6, 4});
     const std::string output
     (
-        outputDuring([&]() { expectHolds(refusal([&]() { runs.grown(); }), "misfit/runs"); })
+        outputDuring([&]() { expectHolds(refusal([&]() { runs.predictions(); }), "misfit/runs"); })
     );
     expectHolds(output, "has 2 of 5 runs, about 1 min for the 3 to do");
     EXPECT_EQ(runs.kept.read().size(), 2);
@@ -121,7 +121,7 @@ TEST(misfitKeptRuns, aRunThatWasKilledOrOutOfTimeIsNoFailure)
     fakeRuns late(slow, {1, 8, 2}, "as now", "timeLimit 2; ");
     for (fakeRuns* runs : {&few, &late})
     {
-        expectHolds(refusal([&]() { runs->grown(labelMax, 3); }), "has those that ended");
+        expectHolds(refusal([&]() { runs->predictions(labelMax, 3); }), "has those that ended");
         EXPECT_EQ(runs->kept.read().size(), 2);
         expectLacks(runs->text(), "failed");
     }
@@ -132,7 +132,7 @@ TEST(misfitKeptRuns, halfARunIsNotTakenForAWholeOne)
 {
     const fakeCase c;
     fakeRuns runs(c, {1, 2});
-    runs.grown();
+    runs.predictions();
     const std::string text(runs.text());
     const auto second = text.find("experiment", text.find("experiment") + 1);
     for (auto size = text.size() - 1; size > second; --size)
@@ -148,8 +148,8 @@ TEST(misfitKeptRuns, halfARunIsNotTakenForAWholeOne)
 TEST(misfitKeptRuns, runsOfOtherFormulasAreRefused)
 {
     const fakeCase c;
-    fakeRuns(c, {1, 2, 3}).grown(2);
-    expectHolds(refusal([&]() { fakeRuns(c, {1, 2}, "before").grown(); }), "other formulas");
+    fakeRuns(c, {1, 2, 3}).predictions(2);
+    expectHolds(refusal([&]() { fakeRuns(c, {1, 2}, "before").predictions(); }), "other formulas");
     EXPECT_EQ(c.count(), 2);
 }
 
@@ -157,13 +157,13 @@ TEST(misfitKeptRuns, runsOfOtherFormulasAreRefused)
 TEST(misfitKeptRuns, thoseOfAnotherDesignStayAndWhatBothHaveIsNotRunAgain)
 {
     const fakeCase c;
-    fakeRuns(c, {1, 2}).grown();
-    const List<prediction> p(fakeRuns(c, {3, 2, 3, 1}).grown());
+    fakeRuns(c, {1, 2}).predictions();
+    const List<prediction> p(fakeRuns(c, {3, 2, 3, 1}).predictions());
     EXPECT_EQ(c.count(), 3);
     ASSERT_EQ(p.size(), 4);
     EXPECT_EQ(p[0].channels[0].y.last(), 6);
     EXPECT_EQ(p[1].channels[0].y.last(), 4);
     EXPECT_EQ(p[3].channels[0].y.last(), 2);
-    EXPECT_EQ(fakeRuns(c, {1, 2}).grown().size(), 2);
+    EXPECT_EQ(fakeRuns(c, {1, 2}).predictions().size(), 2);
     EXPECT_EQ(c.count(), 3);
 }

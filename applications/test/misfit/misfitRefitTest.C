@@ -32,9 +32,9 @@ public:
         limit_(limit)
     {}
 
-    computed from(const scalar start)
+    evaluation from(const scalar start)
     {
-        refitting with;
+        refitSteps with;
         with.expand = [](const scored& n)
         {
             return n.best.x;
@@ -72,7 +72,7 @@ public:
 
 TEST(misfitRefit, aSurfaceThatIsNearlyRightIsFollowed)
 {
-    const computed s(steepSolver(1.2).from(1));
+    const evaluation s(steepSolver(1.2).from(1));
     EXPECT_NEAR(s.variables[0], 0, 0.05);
     EXPECT_NEAR(s.best.best.x[0], 0, 0.01);
 }
@@ -80,7 +80,7 @@ TEST(misfitRefit, aSurfaceThatIsNearlyRightIsFollowed)
 
 TEST(misfitRefit, whatGoesToAndFroTurnsBackAndEndsWhereItWasComputed)
 {
-    const computed s(steepSolver(3).from(1));
+    const evaluation s(steepSolver(3).from(1));
     EXPECT_LT(mag(s.variables[0]), 0.3);
     EXPECT_EQ(s.best.best.x[0], s.variables[0]);
     EXPECT_EQ(s.given.calibration[0], 3*s.variables[0]);
@@ -90,7 +90,7 @@ TEST(misfitRefit, whatGoesToAndFroTurnsBackAndEndsWhereItWasComputed)
 
 TEST(misfitRefit, whereTheSolverFailsOnTheWayHalfOfItIsTried)
 {
-    const computed s(steepSolver(1.8, -0.6).from(1));
+    const evaluation s(steepSolver(1.8, -0.6).from(1));
     EXPECT_TRUE(s.failure.empty());
     EXPECT_LT(mag(s.variables[0]), 0.3);
     EXPECT_TRUE(s.given.ok());
@@ -99,7 +99,7 @@ TEST(misfitRefit, whereTheSolverFailsOnTheWayHalfOfItIsTried)
 
 TEST(misfitRefit, whereTheSolverFailsAtOnceTheFitStaysAndSaysWhy)
 {
-    const computed s(steepSolver(1, 2).from(1));
+    const evaluation s(steepSolver(1, 2).from(1));
     EXPECT_EQ(s.failure, "below the limit");
     EXPECT_EQ(s.variables.size(), 0);
     EXPECT_EQ(s.best.best.x[0], 1);

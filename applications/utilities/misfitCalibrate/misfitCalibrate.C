@@ -160,10 +160,10 @@ struct experiment
                 << exit(FatalIOError);
         }
         const mat under(columns(dict, "targets", conditions));
-        const mat wanted(columns(dict, "targets", quantities));
+        const mat measured(columns(dict, "targets", quantities));
         forAll(quantities, q)
         {
-            if ((wanted.row(q).array() == 0).any())
+            if ((measured.row(q).array() == 0).any())
             {
                 FatalIOErrorInFunction(dict)
                     << "The target of " << quantities[q] << " in "
@@ -174,12 +174,12 @@ struct experiment
             }
         }
         const Eigen::Map<const vec> share(shares.cdata(), shares.size());
-        const mat deviations(share.asDiagonal()*wanted.cwiseAbs());
-        for (label i = 0; i < wanted.cols(); ++i)
+        const mat deviations(share.asDiagonal()*measured.cwiseAbs());
+        for (label i = 0; i < measured.cols(); ++i)
         {
             targets.push_back
             ({
-                surface, under.col(i), wanted.col(i), deviations.col(i)
+                surface, under.col(i), measured.col(i), deviations.col(i)
             });
         }
     }
@@ -231,7 +231,7 @@ struct experiment
                 os << ',' << quantities[q] << ',';
                 if (isTarget)
                 {
-                    os << targets[i].wanted[q];
+                    os << targets[i].values[q];
                 }
                 os  << ',' << calibration::predicted(*surface, under, parameters)[q]
                     << ',' << error.c_str() << nl;

@@ -112,7 +112,7 @@ Foam::misfit::concealedSide::concealedSide
         names.append(describe(s));
     }
     const keptRuns kept{file, solver_.digest(states_), bare_, states_, names, step};
-    const List<prediction> all(kept.grown(solver_, most, batch()));
+    const List<prediction> all(kept.predictions(solver_, most, batch()));
     if (all.size() < states_.size())
     {
         return;
@@ -183,7 +183,7 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::concealedSide::predict
         names.append(solver_.digest({s}));
     }
     const keptRuns runs{kept, "runs of concealed cases", bare_, states, names, fineStep};
-    return runs.grown(solver_, labelMax, batch());
+    return runs.predictions(solver_, labelMax, batch());
 }
 
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // All elements of a free correction following dimensionless numbers.
 
-#include "correcting.H"
+#include "correctionStudy.H"
 
 #include <algorithm>
 #include <cmath>
@@ -13,21 +13,21 @@ using namespace Foam;
 using namespace Foam::misfit;
 
 //- All laws that there may be, for the water that the pushes meet
-List<dimensionlessLaw> possibleLaws(correcting& c)
+List<dimensionlessLaw> possibleLaws(correctionStudy& c)
 {
-    HashTable<conditions> met;
+    HashTable<conditions> water;
     for (const correctionElement& e : c.elements())
     {
         if (e.family == "push")
         {
             runState state(c.s.state(c.atBase));
             state.noting = true;
-            met = c.s.run(List<runState>(1, state)).first().met;
+            water = c.s.run(List<runState>(1, state)).first().water;
             break;
         }
     }
-    List<dimensionlessLaw> all(lawsOf("drag", c.elements(), met));
-    all.append(lawsOf("push", c.elements(), met));
+    List<dimensionlessLaw> all(lawsOf("drag", c.elements(), water));
+    all.append(lawsOf("push", c.elements(), water));
     return all;
 }
 
@@ -36,17 +36,17 @@ List<dimensionlessLaw> possibleLaws(correcting& c)
 //  rival is as good
 void judge
 (
-    correcting& c,
+    correctionStudy& c,
     const scored& free,
     const List<dimensionlessLaw>& laws,
-    const List<computed>& fits,
+    const List<evaluation>& fits,
     const labelList& order
 )
 {
     const settings& set = c.s.set;
     correctionFit& found = c.found;
     const dimensionlessLaw& best = laws[order[0]];
-    const computed& first = fits[order[0]];
+    const evaluation& first = fits[order[0]];
     const scalar needed = found.elements.size() ? set.gap : set.evidence;
     const bool enough =
         first.variables.size() && first.failure.empty()
@@ -84,15 +84,15 @@ void judge
 } // End anonymous namespace
 
 
-Foam::misfit::computed
-Foam::misfit::followLaws(correcting& c, const computed& free)
+Foam::misfit::evaluation
+Foam::misfit::followLaws(correctionStudy& c, const evaluation& free)
 {
     const List<dimensionlessLaw> laws(possibleLaws(c));
     if (laws.empty())
     {
         return free;
     }
-    List<computed> fits(laws.size());
+    List<evaluation> fits(laws.size());
     labelList order(identity(laws.size()));
     forAll(laws, i)
     {
@@ -117,7 +117,7 @@ Foam::misfit::followLaws(correcting& c, const computed& free)
     // In the solver, too, until the best of those that run was computed
     for (label n = 0; n < c.s.set.refit; ++n)
     {
-        computed& first = fits[order[0]];
+        evaluation& first = fits[order[0]];
         const scalar limit = free.best.score + c.s.set.gap;
         if (first.variables.size() || first.best.score > limit)
         {

@@ -40,14 +40,14 @@ struct groupFunctions
     (
         const word& family,
         const List<correctionElement>& elements,
-        const HashTable<conditions>& met
+        const HashTable<conditions>& water
     )
     :
         groups(family == "drag" ? dragGroups : pushGroups),
         values(mat::Zero(elements.size(), groups.size())),
         middle(groups.size(), scalar(1))
     {
-        family == "drag" ? ofDrag(elements) : ofPush(elements, met);
+        family == "drag" ? ofDrag(elements) : ofPush(elements, water);
     }
 
 
@@ -78,17 +78,17 @@ struct groupFunctions
     void ofPush
     (
         const List<correctionElement>& elements,
-        const HashTable<conditions>& met
+        const HashTable<conditions>& water
     )
     {
         forAll(elements, i)
         {
             const correctionElement& e = elements[i];
-            if (e.family != "push" || !met.found(e.name))
+            if (e.family != "push" || !water.found(e.name))
             {
                 continue;
             }
-            const conditions& c = met[e.name];
+            const conditions& c = water[e.name];
             if (c.depth > 1e-6 && c.gravity > 0)
             {
                 // Coefficients are shares of the water's weight
@@ -155,10 +155,10 @@ Foam::misfit::mat Foam::misfit::combinationOf
 (
     const dimensionlessLaw& law,
     const List<correctionElement>& elements,
-    const HashTable<conditions>& met
+    const HashTable<conditions>& water
 )
 {
-    return groupFunctions(law.family, elements, met).values(Eigen::all, law.functions);
+    return groupFunctions(law.family, elements, water).values(Eigen::all, law.functions);
 }
 
 
@@ -166,10 +166,10 @@ Foam::List<Foam::misfit::dimensionlessLaw> Foam::misfit::lawsOf
 (
     const word& family,
     const List<correctionElement>& elements,
-    const HashTable<conditions>& met
+    const HashTable<conditions>& water
 )
 {
-    const groupFunctions all(family, elements, met);
+    const groupFunctions all(family, elements, water);
     if (all.values.isZero(0))
     {
         return List<dimensionlessLaw>();

@@ -91,10 +91,10 @@ Foam::misfit::explanations::rivals(const settings& set) const
 }
 
 
-const Foam::misfit::computed*
+const Foam::misfit::evaluation*
 Foam::misfit::explanations::find(const hypothesis& h) const
 {
-    for (const computed& c : computed_)
+    for (const evaluation& c : evaluations_)
     {
         if (c.best.what == h)
         {
@@ -105,13 +105,13 @@ Foam::misfit::explanations::find(const hypothesis& h) const
 }
 
 
-Foam::misfit::computed Foam::misfit::explanations::lookUp
+Foam::misfit::evaluation Foam::misfit::explanations::lookUp
 (
     const study& s,
     const scored& w
 ) const
 {
-    if (const computed* found = find(w.what))
+    if (const evaluation* found = find(w.what))
     {
         return *found;
     }
@@ -119,31 +119,31 @@ Foam::misfit::computed Foam::misfit::explanations::lookUp
 }
 
 
-void Foam::misfit::explanations::note(const computed& c)
+void Foam::misfit::explanations::note(const evaluation& c)
 {
-    computed_.erase
+    evaluations_.erase
     (
         std::remove_if
         (
-            computed_.begin(),
-            computed_.end(),
-            [&c](const computed& old) { return old.best.what == c.best.what; }
+            evaluations_.begin(),
+            evaluations_.end(),
+            [&c](const evaluation& old) { return old.best.what == c.best.what; }
         ),
-        computed_.end()
+        evaluations_.end()
     );
     if (c.failure.empty())
     {
-        computed_.push_back(c);
+        evaluations_.push_back(c);
     }
 }
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::misfit::computed
+Foam::misfit::evaluation
 Foam::misfit::onSurface(const study& s, const scored& w)
 {
-    computed c;
+    evaluation c;
     c.best = w;
     c.variables = s.calibration.model(w.what).expand(w.best.x);
     c.given.calibration = w.best.f;

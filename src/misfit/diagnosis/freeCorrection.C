@@ -3,7 +3,7 @@
 // dimensionless numbers.
 
 #include "stages.H"
-#include "correcting.H"
+#include "correctionStudy.H"
 #include "designs.H"
 
 #include <cmath>
@@ -16,7 +16,7 @@ using namespace Foam::misfit;
 
 //- Runs the base, each element, and the parameters again, which are there. False if the
 //  base fails
-bool computeSensitivities(correcting& c)
+bool computeSensitivities(correctionStudy& c)
 {
     std::vector<vec> design(1, c.atBase);
     for (const auto& more : {elementDesign(c.s, c.atBase), parameterDesign(c.s.bounds)})
@@ -39,7 +39,7 @@ bool computeSensitivities(correcting& c)
 
 
 //- Some elements are free
-scored fitFree(const correcting& c, const labelList& some)
+scored fitFree(const correctionStudy& c, const labelList& some)
 {
     const label n = c.elements().size();
     const label k = some.size();
@@ -57,7 +57,7 @@ scored fitFree(const correcting& c, const labelList& some)
 
 
 //- The best with one more element that is free, which is appended to them
-scored withOneMore(const correcting& c, labelList& free)
+scored withOneMore(const correctionStudy& c, labelList& free)
 {
     scored best;
     labelList chosen(free);
@@ -82,22 +82,22 @@ scored withOneMore(const correcting& c, labelList& free)
 
 
 //- Elements taken up one after the other
-computed fitFreely(correcting& c)
+evaluation fitFreely(correctionStudy& c)
 {
     const settings& set = c.s.set;
     labelList free;
-    computed r;
+    evaluation r;
     r.best = fitFree(c, free);
     const scalar none = r.best.score;
 
     // The first one must be evidence, the others more than luck
     while (free.size() < set.correctionMost)
     {
-        const scalar wanted =
+        const scalar bound =
             free.empty() ? none - set.evidence : r.best.score - set.gap;
         labelList more(free);
         const scored next(withOneMore(c, more));
-        if (next.score > wanted)
+        if (next.score > bound)
         {
             break;
         }
@@ -125,9 +125,9 @@ computed fitFreely(correcting& c)
 //  correction
 bool holdsIn
 (
-    correcting& c,
-    const observed& other,
-    const computed& r,
+    correctionStudy& c,
+    const observation& other,
+    const evaluation& r,
     const covariance& known
 )
 {
@@ -144,7 +144,7 @@ bool holdsIn
     vec x = r.variables;
     if (state.noting)
     {
-        const mat there(combinationOf(*law, c.elements(), before.met));
+        const mat there(combinationOf(*law, c.elements(), before.water));
         x.tail(c.elements().size()) = there*r.best.best.x.tail(there.cols());
     }
     state = c.s.state(other.experiment, x);
@@ -172,8 +172,8 @@ bool holdsIn
 //- What it leaves, and held-out channels and experiments
 void test
 (
-    correcting& c,
-    const computed& r,
+    correctionStudy& c,
+    const evaluation& r,
     const std::map<word, covariance>& known
 )
 {
@@ -187,7 +187,7 @@ void test
     label held = 0;
     for (label i = 1; i < c.s.experiments.size(); ++i)
     {
-        const observed& other = c.s.experiments[i];
+        const observation& other = c.s.experiments[i];
         const bool holds = holdsIn(c, other, r, known.at(other.experiment));
         if (other.use == purpose::validation && other.validation.size())
         {
@@ -217,7 +217,11 @@ word nameOf(const dimensionlessLaw& law)
 } // End anonymous namespace
 
 
-Foam::misfit::correcting::correcting(const study& whole, const scored& calibrated)
+Foam::misfit::correctionStudy::correctionStudy
+(
+    const study& whole,
+    const scored& calibrated
+)
 :
     s(whole.ofCorrection()),
     base(calibrated),
@@ -230,7 +234,7 @@ Foam::misfit::correcting::correcting(const study& whole, const scored& calibrate
 }
 
 
-Foam::misfit::scored Foam::misfit::correcting::fit
+Foam::misfit::scored Foam::misfit::correctionStudy::fit
 (
     const mat& combination,
     const scalar number
@@ -244,13 +248,13 @@ Foam::misfit::scored Foam::misfit::correcting::fit
 }
 
 
-Foam::misfit::computed
-Foam::misfit::correcting::compute(const scored& start)
+Foam::misfit::evaluation
+Foam::misfit::correctionStudy::compute(const scored& start)
 {
-    computed r(refit(s, start, &white));
+    evaluation r(refit(s, start, &white));
     if (r.failure.size())
     {
-        const computed atBest(onSurface(s, r.best));
+        const evaluation atBest(onSurface(s, r.best));
         r.variables = atBest.variables;
         r.given = atBest.given;
     }
@@ -266,11 +270,11 @@ Foam::misfit::correctionFit Foam::misfit::fitCorrection
 )
 {
     Info<< "Free correction" << endl;
-    correcting c(s, base);
+    correctionStudy c(s, base);
     correctionFit& found = c.found;
     if (computeSensitivities(c))
     {
-        const computed best(followLaws(c, fitFreely(c)));
+        const evaluation best(followLaws(c, fitFreely(c)));
         if (found.elements.size() || found.explained)
         {
             test(c, best, known);

@@ -6,7 +6,7 @@
 std::optional<Foam::misfit::heldOut> Foam::misfit::compare
 (
     const heldOut::part what,
-    const observed& recorded,
+    const observation& recorded,
     const samples& before,
     const samples& after,
     const covariance& known,
@@ -47,7 +47,7 @@ Foam::List<Foam::misfit::heldOut> Foam::misfit::compareHere
     const covariance& known
 )
 {
-    const observed& here = s.data();
+    const observation& here = s.data();
     const covariance ofTest(here.test, s.set.clockUncertainty);
     using part = heldOut::part;
     List<heldOut> all;

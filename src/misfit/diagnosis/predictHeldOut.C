@@ -15,7 +15,7 @@ samples withFault
 (
     const study& s,
     const scored& best,
-    const observed& recorded,
+    const observation& recorded,
     samples given
 )
 {
@@ -96,7 +96,7 @@ gate failureIn(const word& experiment, const string& why)
 List<runState> statesIn
 (
     const study& s,
-    const observed& other,
+    const observation& other,
     const std::vector<vec>& steps,
     const explanations& e
 )
@@ -131,7 +131,7 @@ struct experimentPrediction
 experimentPrediction predictIn
 (
     study& s,
-    const observed& other,
+    const observation& other,
     const std::vector<vec>& steps,
     const explanations& e
 )
@@ -142,7 +142,10 @@ experimentPrediction predictIn
         statesIn(s, other, validates ? steps : std::vector<vec>(), e)
     );
     const List<samples> given(s.means(states));
-    experimentPrediction r{covariance(other.of(other.use), s.set.clockUncertainty), {}, {}};
+    experimentPrediction r
+    {
+        covariance(other.of(other.use), s.set.clockUncertainty), {}, {}
+    };
     if (validates && given[0].ok())
     {
         if (!addNumerics(s, other, r.known))
@@ -213,7 +216,7 @@ Foam::misfit::heldOutPrediction Foam::misfit::predictHeldOut
     const bool mayBeNothing
 )
 {
-    const computed before(e.lookUp(s, e.baseline()));
+    const evaluation before(e.lookUp(s, e.baseline()));
     const std::vector<vec> steps
     (
         mayBeNothing ? calibrationSteps(s, e.baseline()) : std::vector<vec>()
@@ -227,7 +230,7 @@ Foam::misfit::heldOutPrediction Foam::misfit::predictHeldOut
     );
     for (label i = 1; i < s.experiments.size(); ++i)
     {
-        const observed& other = s.experiments[i];
+        const observation& other = s.experiments[i];
         const experimentPrediction one(predictIn(s, other, steps, e));
         all.held.append(one.held);
         if (one.failure)

@@ -14,7 +14,7 @@ using namespace Foam::misfit;
 //- Computes an explanation and notes what the solver gave
 scored recompute(study& s, explanations& e, const scored& w)
 {
-    const computed c(refit(s, w));
+    const evaluation c(refit(s, w));
     e.note(c);
     return c.best;
 }
@@ -122,15 +122,15 @@ void prefer(study& s, explanations& e, const bool detected)
 } // End anonymous namespace
 
 
-Foam::misfit::computed Foam::misfit::refit
+Foam::misfit::evaluation Foam::misfit::refit
 (
     const scored& start,
     const rules& limits,
     const vec& width,
-    const refitting& with
+    const refitSteps& with
 )
 {
-    computed r;
+    evaluation r;
     r.best = start;
     scored least(start);
     scored onward(start);
@@ -188,7 +188,7 @@ Foam::misfit::computed Foam::misfit::refit
 }
 
 
-Foam::misfit::computed Foam::misfit::refit
+Foam::misfit::evaluation Foam::misfit::refit
 (
     study& s,
     const scored& start,
@@ -196,7 +196,7 @@ Foam::misfit::computed Foam::misfit::refit
 )
 {
     sampledModel local(s.calibration);
-    refitting with;
+    refitSteps with;
     with.expand = [&](const scored& now)
     {
         return local.model(now.what).expand(now.best.x);

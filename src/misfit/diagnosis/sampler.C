@@ -83,12 +83,12 @@ stacked possible(const recordings& all, const word& experiment)
     label n = 0;
     for (const channel& c : all.channels())
     {
-        const bool wanted =
+        const bool isPossible =
             !c.isRecorded() && c.overTime() && c.experiment == experiment;
         const bool given = c.interval.first() > -GREAT;
         const scalar from = given ? c.interval.first() : first;
         const scalar to = given ? c.interval.second() : last;
-        if (wanted && to > from)
+        if (isPossible && to > from)
         {
             segment s(segmentOf(c, n));
             s.size = 40;
@@ -106,13 +106,13 @@ stacked possible(const recordings& all, const word& experiment)
 vec possibleStack
 (
     const recordings& all,
-    const List<observed>& observations,
+    const List<observation>& observations,
     const word& experiment,
     const prediction& p
 )
 {
     scalarList values;
-    for (const observed& o : observations)
+    for (const observation& o : observations)
     {
         for (const segment& s : o.possible.segments)
         {
@@ -146,7 +146,7 @@ void Foam::misfit::samples::add(const samples& other)
         addTo(of(use), other.of(use));
     }
     addTo(possible, other.possible);
-    met = other.met;
+    water = other.water;
 }
 
 
@@ -176,7 +176,7 @@ Foam::misfit::predictedSampler::predictedSampler
     names.append(all.experiments(purpose::test));
     for (const word& e : names)
     {
-        observed o;
+        observation o;
         o.experiment = e;
         o.use = all.use(e);
         for (const purpose use : uses)
@@ -241,7 +241,7 @@ Foam::misfit::predictedSampler::operator()(const List<runState>& states)
                 all[i].of(use) = stack(recordings_, recordings_.select(e, use), p);
             }
             all[i].possible = possibleStack(recordings_, data_, e, p);
-            all[i].met = p.met;
+            all[i].water = p.water;
         }
     }
     return all;

@@ -57,7 +57,7 @@ Foam::misfit::advice Foam::misfit::measurementBetween
 )
 {
     advice result;
-    std::vector<computed> two;
+    std::vector<evaluation> two;
     for (const scored& w : alternatives)
     {
         if (two.size() < 2 && !w.what.isNone() && !w.what.isOnlyUnknown())
@@ -70,7 +70,7 @@ Foam::misfit::advice Foam::misfit::measurementBetween
         return result;
     }
     const stacked& possible = s.data().possible;
-    for (const computed& c : two)
+    for (const evaluation& c : two)
     {
         if (!c.given.possible.size() && possible.size())
         {

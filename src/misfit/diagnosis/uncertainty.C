@@ -202,7 +202,7 @@ mat changesBy
 Foam::List<Foam::misfit::runState> Foam::misfit::bases(const study& s)
 {
     List<runState> states;
-    for (const observed& o : s.experiments)
+    for (const observation& o : s.experiments)
     {
         states.append(s.state(o.experiment, s.bounds.centre));
     }
@@ -276,7 +276,7 @@ void Foam::misfit::addUncertainty(study& s)
 bool Foam::misfit::addNumerics
 (
     study& s,
-    const observed& other,
+    const observation& other,
     covariance& known
 )
 {

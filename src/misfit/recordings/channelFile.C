@@ -80,14 +80,14 @@ const unit& checkedUnit
     const string& what
 )
 {
-    const dimensionSet& wanted = *findQuantity(quantity);
+    const dimensionSet& expected = *findQuantity(quantity);
     const unit* found = findUnit(name);
-    if (!found || found->dimensions != wanted)
+    if (!found || found->dimensions != expected)
     {
         FatalIOErrorInFunction(dict)
             << what.c_str() << " is in " << name << ", which is no unit of "
             << quantity << ". Valid units:"
-            << keywords::listed(unitsOf(wanted)).c_str()
+            << keywords::listed(unitsOf(expected)).c_str()
             << exit(FatalIOError);
     }
     return *found;

@@ -36,7 +36,7 @@ Foam::misfit::json Foam::misfit::gateWords(const gate& g, const finding& f)
     return
     {
         {"name", gateNames[g.kind]},
-        {"asked", renderTemplate("asked", facts)},
+        {"question", renderTemplate("question", facts)},
         {"value", renderTemplate("value", facts)},
         {"bound", renderTemplate("bound", facts)}
     };

@@ -48,9 +48,10 @@ bool isMeant(const finding& f, const word& name)
             [&](const int m) { return f.library[m] == name; }
         );
     };
+    const std::vector<scored>& others = f.verdict.alternatives;
     return
         f.verdict.names.found(name) || has(f.best())
-     || std::any_of(f.verdict.alternatives.begin(), f.verdict.alternatives.end(), has);
+     || std::any_of(others.begin(), others.end(), has);
 }
 
 
@@ -70,8 +71,8 @@ string outcome(const heldOut& h)
 }
 
 
-//- Of held-out data; isTold: what was found may show in them
-json held(const heldOut& h, const bool isTold)
+//- Of held-out data; showsFinding: what was found may show in them
+json held(const heldOut& h, const bool showsFinding)
 {
     const auto name = [](const segment& s) { return s.name; };
     return
@@ -81,7 +82,7 @@ json held(const heldOut& h, const bool isTold)
         {"after", number(h.squareAfter)},
         {"gone", percent(removed(h))},
         {"outcome", outcome(h)},
-        {"isTold", isTold}
+        {"showsFinding", isTold}
     };
 }
 
@@ -97,7 +98,8 @@ void addAnswer(json& page, const finding& f)
     });
     page["heldOut"] = each(f.held(), [&f](const heldOut& h)
     {
-        const bool isOfFault = f.verdict.blamesChannel() && h.squareAfter < h.squareBefore;
+        const bool isOfFault =
+            f.verdict.blamesChannel() && h.squareAfter < h.squareBefore;
         return held(h, f.verdict.strengths.size() || isOfFault);
     });
 }
@@ -129,7 +131,7 @@ json scoredFirst(const finding& f)
 
 
 //- Why a gate was left out; empty if it was not
-string notAsked(const misfit::gate& g, const hypothesis& judged)
+string causeOfNoTest(const misfit::gate& g, const hypothesis& judged)
 {
     return
         g.applies ? ""
@@ -144,7 +146,7 @@ string notAsked(const misfit::gate& g, const hypothesis& judged)
 json gateRow(const misfit::gate& g, const finding& f)
 {
     json row(gateWords(g, f));
-    row["why"] = notAsked(g, f.best().what);
+    row["why"] = causeOfNoTest(g, f.best().what);
     row["outcome"] =
         g.passed ? "passed"
       : g.kind == gateKind::detection ? "no misfit beyond chance" : "failed";
@@ -158,9 +160,10 @@ json candidates(const finding& f, const origin& from)
     return each(from.candidates, [&](const candidate& c) -> json
     {
         const auto set = [](const caseChange& change) { return change.describe(1); };
+        const List<fittedStrength>& all = f.verdict.strengths;
         const auto strength = std::find_if
         (
-            f.verdict.strengths.begin(), f.verdict.strengths.end(),
+            all.begin(), all.end(),
             [&](const fittedStrength& s) { return s.name == c.name; }
         );
         return
@@ -169,7 +172,7 @@ json candidates(const finding& f, const origin& from)
             {"title", c.title},
             {"isMeant", c.title != c.name && isMeant(f, c.name)},
             {"sets", joined(c.changes, "; ", set)},
-            {"found", strength == f.verdict.strengths.end() ? json() : json(strength->value)}
+            {"found", strength == all.end() ? json() : json(strength->value)}
         };
     });
 }
@@ -275,7 +278,8 @@ std::string Foam::misfit::reportHtml
     }
     page["explanations"] = f.explained.all().size();
     page["scored"] = scoredFirst(f);
-    page["gates"] = each(f.tests.gates, [&f](const misfit::gate& g) { return gateRow(g, f); });
+    page["gates"] =
+        each(f.tests.gates, [&f](const misfit::gate& g) { return gateRow(g, f); });
     page["distances"] = distances(f);
     page["sources"] = each(f.detection.sources, [](const auto& s) { return s.first; });
     page["uncertain"] =

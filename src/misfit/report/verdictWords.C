@@ -102,11 +102,12 @@ string alternatives(const finding& f)
             w.what.mechanisms.size() > 1
          || (w.what.unknown && w.what.mechanisms.size());
     };
-    if (std::none_of(f.verdict.alternatives.begin(), f.verdict.alternatives.end(), isMixed))
+    const std::vector<scored>& all = f.verdict.alternatives;
+    if (std::none_of(all.begin(), all.end(), isMixed))
     {
         return inWords(answerOf(f), "or");
     }
-    return joined(f.verdict.alternatives, ", or ", [&f](const scored& w)
+    return joined(all, ", or ", [&f](const scored& w)
     {
         return
             describe(w.what, f.library)
@@ -198,14 +199,16 @@ void addLeftOut(json& facts, const finding& f)
     facts["mayBeTogether"] = mayBeTogether(f);
     facts["strengths"] = strengths(f);
     facts["winsWithout"] = winsWithout(f);
+    const gateList& gates = f.tests.gates;
     facts["tried"] =
-        f.tests.gates.applied(gateKind::heldOut) || f.tests.gates.applied(gateKind::transfer);
+        gates.applied(gateKind::heldOut) || gates.applied(gateKind::transfer);
 
     // A lead of less is not worth a mention (Kass & Raftery 1995, J. Am. Stat.
     // Assoc. 90:777)
     const scalar mention = 2;
     const scored* more = betterWithMore(f);
-    if (f.verdict.kind == verdictKind::named && more && more->score < f.best().score - mention)
+    const bool leads = more && more->score < f.best().score - mention;
+    if (f.verdict.kind == verdictKind::named && leads)
     {
         facts["mayBeAdded"] = describe(more->what.known(), f.library);
     }

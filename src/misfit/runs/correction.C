@@ -280,7 +280,7 @@ Foam::List<Foam::misfit::caseChange> Foam::misfit::correction::changes
 
 
 Foam::HashTable<Foam::misfit::conditions>
-Foam::misfit::correction::met(const fileName& caseFolder) const
+Foam::misfit::correction::waterIn(const fileName& caseFolder) const
 {
     HashTable<conditions> all;
     for (const correctionElement& e : elements_)

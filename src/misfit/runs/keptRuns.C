@@ -84,7 +84,7 @@ bool Foam::misfit::keptRuns::isWhole(const runState& state, const prediction& p)
 }
 
 
-Foam::List<Foam::misfit::prediction> Foam::misfit::keptRuns::found
+Foam::List<Foam::misfit::prediction> Foam::misfit::keptRuns::predictionsIn
 (
     const table& runs
 ) const
@@ -101,7 +101,7 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::keptRuns::found
 }
 
 
-Foam::labelList Foam::misfit::keptRuns::lacking(const table& runs) const
+Foam::labelList Foam::misfit::keptRuns::missingRuns(const table& runs) const
 {
     labelList some;
     HashSet<string, string::hash> seen;
@@ -242,7 +242,7 @@ void Foam::misfit::keptRuns::checkStopped(const stringList& stopped) const
 }
 
 
-Foam::List<Foam::misfit::prediction> Foam::misfit::keptRuns::grown
+Foam::List<Foam::misfit::prediction> Foam::misfit::keptRuns::predictions
 (
     solverPredictor& ask,
     const label most,
@@ -250,7 +250,7 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::keptRuns::grown
 ) const
 {
     table runs(read());
-    const labelList todo(lacking(runs));
+    const labelList todo(missingRuns(runs));
     const label end = min(most, todo.size());
     string text(isFile(file, false) ? contentOf(file) : head + '\n');
     const clockTime timer;
@@ -277,5 +277,5 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::keptRuns::grown
     }
     checkStopped(stopped);
     tell(runs, 0, 0);
-    return found(runs);
+    return predictionsIn(runs);
 }

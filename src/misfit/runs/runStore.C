@@ -107,7 +107,7 @@ string inQuotes(const fileName& path)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::word Foam::misfit::runStore::name(const wantedRun& run) const
+Foam::word Foam::misfit::runStore::name(const runRequest& run) const
 {
     string all(template_.hash + '\n' + run.description);
     for (const string& c : commands_)
@@ -121,7 +121,7 @@ Foam::word Foam::misfit::runStore::name(const wantedRun& run) const
 void Foam::misfit::runStore::prepare
 (
     const word& name,
-    const wantedRun& run
+    const runRequest& run
 ) const
 {
     const fileName target(folder_/name);
@@ -265,13 +265,13 @@ Foam::misfit::runStore::~runStore()
 
 // * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
 
-Foam::fileName Foam::misfit::runStore::caseOf(const wantedRun& run) const
+Foam::fileName Foam::misfit::runStore::caseOf(const runRequest& run) const
 {
     return folder_/name(run)/"case";
 }
 
 
-bool Foam::misfit::runStore::isFinished(const wantedRun& run) const
+bool Foam::misfit::runStore::isFinished(const runRequest& run) const
 {
     const word its(name(run));
     const runEnd end(folder_/its);
@@ -290,7 +290,7 @@ bool Foam::misfit::runStore::isFinished(const wantedRun& run) const
 }
 
 
-Foam::string Foam::misfit::runStore::failure(const wantedRun& run) const
+Foam::string Foam::misfit::runStore::failure(const runRequest& run) const
 {
     const runEnd end(folder_/name(run));
     if (end.isWell())
@@ -304,13 +304,13 @@ Foam::string Foam::misfit::runStore::failure(const wantedRun& run) const
 }
 
 
-bool Foam::misfit::runStore::wasStopped(const wantedRun& run) const
+bool Foam::misfit::runStore::wasStopped(const runRequest& run) const
 {
     return runEnd(folder_/name(run)).isStopped();
 }
 
 
-Foam::scalar Foam::misfit::runStore::seconds(const wantedRun& run) const
+Foam::scalar Foam::misfit::runStore::seconds(const runRequest& run) const
 {
     return runEnd(folder_/name(run)).seconds;
 }
@@ -319,7 +319,7 @@ Foam::scalar Foam::misfit::runStore::seconds(const wantedRun& run) const
 void Foam::misfit::runStore::makeCase
 (
     const fileName& target,
-    const wantedRun& run
+    const runRequest& run
 ) const
 {
     template_.copy(target);
@@ -328,7 +328,7 @@ void Foam::misfit::runStore::makeCase
 }
 
 
-void Foam::misfit::runStore::finish(const List<wantedRun>& runs)
+void Foam::misfit::runStore::finish(const List<runRequest>& runs)
 {
     if (lock_ < 0)
     {
@@ -338,7 +338,7 @@ void Foam::misfit::runStore::finish(const List<wantedRun>& runs)
 
     wordHashSet todo;
     label failed = 0;
-    for (const wantedRun& run : runs)
+    for (const runRequest& run : runs)
     {
         if (!isFinished(run) && todo.insert(name(run)))
         {

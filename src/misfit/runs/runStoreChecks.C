@@ -38,11 +38,11 @@ void Foam::misfit::runStore::checkPrograms() const
 }
 
 
-void Foam::misfit::runStore::checkSamePrograms(const List<wantedRun>& runs)
+void Foam::misfit::runStore::checkSamePrograms(const List<runRequest>& runs)
 {
     const string now(programFiles(commands_, folder_/"run"/"case"));
     wordHashSet others;
-    for (const wantedRun& run : runs)
+    for (const runRequest& run : runs)
     {
         const string then(contentOf(folder_/name(run)/"programs"));
         if (isFinished(run) && then.size() && then != now)
@@ -85,7 +85,7 @@ void Foam::misfit::runStore::checkCut() const
 }
 
 
-void Foam::misfit::runStore::rehearse(const List<wantedRun>& runs) const
+void Foam::misfit::runStore::rehearse(const List<runRequest>& runs) const
 {
     checkPrograms();
     fileName here;
@@ -95,7 +95,7 @@ void Foam::misfit::runStore::rehearse(const List<wantedRun>& runs) const
         (
             [&]()
             {
-                for (const wantedRun& run : runs)
+                for (const runRequest& run : runs)
                 {
                     const temporaryFolder scratch;
                     here = fileName(scratch)/"case";
@@ -108,6 +108,6 @@ void Foam::misfit::runStore::rehearse(const List<wantedRun>& runs) const
     if (wrong.size())
     {
         FatalErrorInFunction
-            << template_.inIts(wrong, here).c_str() << exit(FatalError);
+            << template_.message(wrong, here).c_str() << exit(FatalError);
     }
 }

@@ -54,8 +54,8 @@ Foam::misfit::solverPredictor::changes(const runState& state) const
 }
 
 
-Foam::misfit::wantedRun
-Foam::misfit::solverPredictor::wanted(const runState& state) const
+Foam::misfit::runRequest
+Foam::misfit::solverPredictor::request(const runState& state) const
 {
     const auto list(changes(state));
     const word experiment(state.experiment);
@@ -119,7 +119,7 @@ bool Foam::misfit::solverPredictor::isBase(const runState& state) const
 Foam::misfit::prediction Foam::misfit::solverPredictor::read
 (
     const runState& state,
-    const wantedRun& run
+    const runRequest& run
 ) const
 {
     prediction p;
@@ -148,7 +148,7 @@ Foam::misfit::prediction Foam::misfit::solverPredictor::read
     }
     if (p.ok() && state.noting)
     {
-        p.met = correction_.met(store_.caseOf(run));
+        p.water = correction_.waterIn(store_.caseOf(run));
     }
     return p;
 }
@@ -203,10 +203,10 @@ Foam::misfit::solverPredictor::solverPredictor
 Foam::List<Foam::misfit::prediction>
 Foam::misfit::solverPredictor::predict(const List<runState>& states)
 {
-    List<wantedRun> runs(states.size());
+    List<runRequest> runs(states.size());
     forAll(states, i)
     {
-        runs[i] = wanted(states[i]);
+        runs[i] = request(states[i]);
         if (!store_.isFinished(runs[i]))
         {
             rehearse();
@@ -238,7 +238,7 @@ Foam::misfit::solverPredictor::digest(const List<runState>& states) const
     string all;
     for (const runState& s : states)
     {
-        all += wanted(s).description;
+        all += request(s).description;
     }
     return SHA1(all).digest().str();
 }
@@ -250,7 +250,7 @@ void Foam::misfit::solverPredictor::makeCase
     const fileName& target
 )
 {
-    store_.makeCase(target, wanted(state));
+    store_.makeCase(target, request(state));
 }
 
 
@@ -264,7 +264,7 @@ void Foam::misfit::solverPredictor::print
     label left = 0;
     for (const runState& s : states)
     {
-        const wantedRun run(wanted(s));
+        const runRequest run(request(s));
         const bool finished = store_.isFinished(run);
         if (!finished)
         {

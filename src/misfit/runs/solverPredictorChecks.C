@@ -142,12 +142,12 @@ void Foam::misfit::solverPredictor::checkPlacesIn
 void Foam::misfit::solverPredictor::checkWater
 (
     const runState& state,
-    const wantedRun& run
+    const runRequest& run
 )
 {
     runState withBase(state);
     withBase.resolution = "base";
-    const wantedRun base(wanted(withBase));
+    const runRequest base(request(withBase));
     if (state.resolution == "base" || !store_.isFinished(base))
     {
         return;
@@ -317,12 +317,12 @@ void Foam::misfit::solverPredictor::rehearse()
         return;
     }
 
-    List<wantedRun> runs;
+    List<runRequest> runs;
     for (const word& experiment : recordings_.experiments())
     {
         for (const runState& state : statesWithAllChanges(experiment))
         {
-            runs.append(wanted(state));
+            runs.append(request(state));
         }
     }
     store_.rehearse(runs);

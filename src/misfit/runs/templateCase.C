@@ -219,7 +219,7 @@ void Foam::misfit::templateCase::copy
 }
 
 
-Foam::string Foam::misfit::templateCase::inIts
+Foam::string Foam::misfit::templateCase::message
 (
     const string& words,
     const fileName& copy

@@ -95,11 +95,11 @@ statistics::vec statistics::calibration::predicted
 
 statistics::vec statistics::calibration::operator()(const vec& x) const
 {
-    vec result = wanted();
+    vec result = targetValues();
     int first = 0;
     for (const calibrationTarget& target : targets_)
     {
-        const int n = target.wanted.size();
+        const int n = target.values.size();
         result.segment(first, n) =
             predicted(*target.surface, target.conditions, all(x));
         first += n;
@@ -110,11 +110,11 @@ statistics::vec statistics::calibration::operator()(const vec& x) const
 
 statistics::mat statistics::calibration::slopes(const vec& x) const
 {
-    mat result(wanted().size(), open_.size());
+    mat result(targetValues().size(), open_.size());
     int first = 0;
     for (const calibrationTarget& target : targets_)
     {
-        const int n = target.wanted.size();
+        const int n = target.values.size();
         const int nConditions = target.conditions.size();
         vec variables(nConditions + parameters_.size());
         variables << target.conditions, all(x);
@@ -127,9 +127,9 @@ statistics::mat statistics::calibration::slopes(const vec& x) const
 }
 
 
-statistics::vec statistics::calibration::wanted() const
+statistics::vec statistics::calibration::targetValues() const
 {
-    return below(&calibrationTarget::wanted);
+    return below(&calibrationTarget::values);
 }
 
 
@@ -188,7 +188,7 @@ statistics::fitted statistics::calibration::choose
     for (const vec& levels : combinations())
     {
         setLevels(levels);
-        const fitted one(fit(*this, wanted(), white));
+        const fitted one(fit(*this, targetValues(), white));
         if (one.objective < best.objective)
         {
             best = one;

@@ -153,12 +153,12 @@ int textTable::find(const std::string& name) const
 }
 
 
-mat textTable::columns(const std::vector<std::string>& wanted) const
+mat textTable::columns(const std::vector<std::string>& columnNames) const
 {
-    mat all(rows.size(), wanted.size());
-    for (int k = 0; k < count(wanted); ++k)
+    mat all(rows.size(), columnNames.size());
+    for (int k = 0; k < count(columnNames); ++k)
     {
-        const int c = find(wanted[k]);
+        const int c = find(columnNames[k]);
         for (int i = 0; i < count(rows); ++i)
         {
             const std::string& cell = rows[i][c];
@@ -168,7 +168,7 @@ mat textTable::columns(const std::vector<std::string>& wanted) const
                 throw std::invalid_argument
                 (
                     '"' + cell + "\" in line " + std::to_string(lines[i])
-                  + ", column " + wanted[k] + " is no number"
+                  + ", column " + columnNames[k] + " is no number"
                 );
             }
         }
@@ -177,13 +177,13 @@ mat textTable::columns(const std::vector<std::string>& wanted) const
 }
 
 
-mat textTable::whole(const std::vector<std::string>& wanted) const
+mat textTable::whole(const std::vector<std::string>& columnNames) const
 {
     if (rows.empty())
     {
         throw std::invalid_argument("it has no row below its line of names");
     }
-    const mat all = columns(wanted);
+    const mat all = columns(columnNames);
     for (int i = 0; i < all.rows(); ++i)
     {
         for (int k = 0; k < all.cols(); ++k)
@@ -192,7 +192,7 @@ mat textTable::whole(const std::vector<std::string>& wanted) const
             {
                 throw std::invalid_argument
                 (
-                    "column " + wanted[k] + " is empty in line "
+                    "column " + columnNames[k] + " is empty in line "
                   + std::to_string(lines[i])
                 );
             }

@@ -70,7 +70,7 @@ calibrationTarget target(const scalar c, const vec& wanted)
     calibrationTarget t;
     t.surface = surfaceOfRuns();
     t.conditions = vec::Constant(1, c);
-    t.wanted = wanted;
+    t.values = wanted;
     t.deviation = vec::Constant(2, 0.1);
     return t;
 }

@@ -187,7 +187,7 @@ class nothing
 :
     public sampler
 {
-    List<observed> data_;
+    List<observation> data_;
 
 public:
 
@@ -204,7 +204,7 @@ public:
         return List<samples>(states.size());
     }
 
-    const List<observed>& data() const override
+    const List<observation>& data() const override
     {
         return data_;
     }
