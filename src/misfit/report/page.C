@@ -82,7 +82,7 @@ json held(const heldOut& h, const bool showsFinding)
         {"after", number(h.squareAfter)},
         {"gone", percent(removed(h))},
         {"outcome", outcome(h)},
-        {"showsFinding", isTold}
+        {"showsFinding", showsFinding}
     };
 }
 
