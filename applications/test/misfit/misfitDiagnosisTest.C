@@ -72,7 +72,7 @@ TEST(misfitDiagnosis, whatWasMeasuredOfAParameterHoldsTheFit)
     settings wrong(near);
     wrong.parameters[0].measured = -0.06;
     wrong.parameters[0].measuredDeviation = 0.002;
-    EXPECT_NE(diagnose(s, wrong).verdict, verdictKind::none);
+    EXPECT_NE(diagnose(s, wrong).verdict.kind, verdictKind::none);
 }
 
 
@@ -352,7 +352,7 @@ TEST(misfitDiagnosis, aFlatRecordDoesNotScreenTheLibraryOut)
     {
         worldSampler s(truth(0, 0.7), 200, vec());
         s.recordConstant(1, dry);
-        EXPECT_EQ(diagnose(s, set).dropped.size(), 0) << dry;
+        EXPECT_EQ(diagnose(s, set).candidates.dropped.size(), 0) << dry;
     }
 }
 

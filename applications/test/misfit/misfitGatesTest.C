@@ -70,7 +70,7 @@ vec strangeWave(const scalar pressure)
 TEST(misfitGates, eachHeldOutExperimentMustConfirmIt)
 {
     worldSampler agrees(truth(0, 0.7), 200, vec());
-    EXPECT_EQ(diagnose(agrees).verdict, verdictKind::named);
+    EXPECT_EQ(diagnose(agrees).verdict.kind, verdictKind::named);
 
     // B confirms it, the one behind it does not
     worldSampler s(truth(0, 0.7), 200, vec());
@@ -253,7 +253,7 @@ TEST(misfitGates, whereOnlyHeldOutDataPartItIsNotSaidThatNothingIsMissing)
     EXPECT_TRUE(f.verdict.strengths.empty());
 
     worldSampler agrees(truth(-1, 0), 100, vec());
-    EXPECT_EQ(diagnose(agrees).held.size(), 2);
+    EXPECT_EQ(diagnose(agrees).held().size(), 2);
 }
 
 
@@ -310,7 +310,7 @@ TEST(misfitGates, otherReplicatesAreNoAlarmInAnotherExperiment)
     {
         worldSampler s(truth(-1, 0), 5000 + k, vec());
         s.scatterReplicates(0.04);
-        alarms += diagnose(s, set).verdict != verdictKind::none;
+        alarms += diagnose(s, set).verdict.kind != verdictKind::none;
     }
     testNumber("alarms of 40 nulls whose replicates scatter", alarms);
     EXPECT_LE(alarms, 4);
@@ -378,7 +378,7 @@ TEST(misfitGates, theLeadIsThatOfTheBestThatSaysTheSame)
 TEST(misfitGates, besideSomethingUnknownWhatIsNamedMustGainByItself)
 {
     worldSampler s(truth(2, 0.1), 201, strangeWave(120));
-    EXPECT_EQ(diagnose(s).verdict, verdictKind::named);
+    EXPECT_EQ(diagnose(s).verdict.kind, verdictKind::named);
 
     // More than it gains alone, less than both gain
     settings set(worldSettings());

@@ -94,7 +94,7 @@ TEST(misfitStability, aSetThatHangsOnAChannelSaysWhereBothAtOnceAreAsGood)
     const finding one(ofTwoGauges(4, 0, false));
     ASSERT_EQ(both.verdict.kind, verdictKind::set);
     ASSERT_EQ(one.verdict.kind, verdictKind::set);
-    EXPECT_EQ(ofTwoGauges(4, 1, false).verdict, verdictKind::set);
+    EXPECT_EQ(ofTwoGauges(4, 1, false).verdict.kind, verdictKind::set);
     EXPECT_NE(describe(both).find(", or both. "), std::string::npos)
         << describe(both);
     EXPECT_EQ(describe(one).find(", or both"), std::string::npos) << describe(one);
