@@ -364,6 +364,7 @@ TEST(misfitReport, aGateThatCouldNotBeAskedIsToldFromOneWithNothingToAsk)
 TEST(misfitReport, noNumberIsTooLargeToRead)
 {
     finding f(found());
+    f.tests.held[0].use = purpose::test;
     f.tests.held[0].squareBefore = 2;
     f.tests.held[0].squareAfter = 1e17;
     scored far(f.best());
