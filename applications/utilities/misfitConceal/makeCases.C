@@ -2,6 +2,7 @@
 // Makes cases whose cause is concealed, and the key to them.
 
 #include "caseDrawing.H"
+#include "shortNumber.H"
 #include "textFile.H"
 
 #include "OSspecific.H"
