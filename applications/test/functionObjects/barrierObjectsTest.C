@@ -318,3 +318,50 @@ TEST_F(barrier, aLandingAboveTheCrestIsAnError)
         Foam::IOerror
     );
 }
+
+
+namespace
+{
+
+class ParallelBarrier
+:
+    public barrier
+{};
+
+} // End anonymous namespace
+
+
+// A rank without water must not wait for another that asks for its density
+TEST_F(ParallelBarrier, waterOnOneRankAloneGoesOverTheCrest)
+{
+    putGrains(pointField(), vectorField());
+    U_.primitiveFieldRef() = vector(2, 0, 0);
+    forAll(alpha_, i)
+    {
+        const scalar x = box_.mesh().C()[i].x();
+        alpha_[i] = x > 0.5 && x < 0.75 ? 1 : 0;
+    }
+
+    functionObjects::overflow flow
+    (
+        "flow",
+        box_.time(),
+        dictionary
+        (
+            IStringStream
+            (
+                "crest (0.6 0 0.5); range (0.5 0.75); layer 0.1; log no;"
+            )()
+        )
+    );
+    ++box_.time();
+    flow.execute();
+    flow.write();
+
+    if (Pstream::master())
+    {
+        // Void fraction 0.8, 1 m wide, 0.5 m deep
+        const scalarList line(lastLine("flow", "overflow"));
+        EXPECT_NEAR(line[5], 0.8*2*0.5, 1e-6);
+    }
+}

@@ -63,11 +63,14 @@ bool Foam::functionObjects::flumeFunctionObject::read(const dictionary& dict)
     compatibility::writeFile::read(dict);
 
     frame_ = flumeFrame(dict);
-    box_.clear();
     alphaName_ = dict.lookupOrDefault<word>("alpha", "alpha.water");
     voidFractionName_ =
         dict.lookupOrDefault<word>("voidFraction", "voidFraction");
-    rhoWater_ = dict.lookupOrDefault<scalar>("rhoWater", 0);
+    rhoWater_ = dict.lookupOrDefault<scalar>("rhoWater", densityOfWater());
+
+    // Read and reduced by all ranks at once: what is sampled may lie on one alone
+    gravity();
+    box_ = frame_.bounds(mesh_.points());
 
     return true;
 }
@@ -308,31 +311,38 @@ Foam::scalar Foam::functionObjects::flumeFunctionObject::cosSlope() const
 }
 
 
+Foam::scalar Foam::functionObjects::flumeFunctionObject::densityOfWater() const
+{
+    const IOdictionary properties
+    (
+        IOobject
+        (
+            "transportProperties",
+            mesh_.time().constant(),
+            mesh_,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+    const word phase(IOobject::group(alphaName_));
+    const dictionary& water = properties.subOrEmptyDict(phase);
+
+    return
+        fluid_ && water.found("rho")
+      ? dimensionedScalar("rho", dimDensity, water).value() : 0;
+}
+
+
 Foam::scalar Foam::functionObjects::flumeFunctionObject::rhoWater() const
 {
     if (rhoWater_ <= 0 && fluid_)
     {
-        const word phase(IOobject::group(alphaName_));
-
-        const IOdictionary properties
-        (
-            IOobject
-            (
-                "transportProperties",
-                mesh_.time().constant(),
-                mesh_,
-                IOobject::MUST_READ,
-                IOobject::NO_WRITE,
-                false
-            )
-        );
-
-        rhoWater_ = dimensionedScalar
-        (
-            "rho",
-            dimDensity,
-            properties.subDict(phase)
-        ).value();
+        FatalErrorInFunction
+            << "No density of water for the function object " << name() << nl
+            << "    Give rhoWater in kg/m3, or rho in the entry "
+            << IOobject::group(alphaName_) << " of constant/transportProperties"
+            << exit(FatalError);
     }
 
     return rhoWater_;
@@ -405,17 +415,6 @@ void Foam::functionObjects::flumeFunctionObject::writeRow
     }
 
     os  << endl;
-}
-
-
-const Foam::boundBox& Foam::functionObjects::flumeFunctionObject::box() const
-{
-    if (!box_)
-    {
-        box_.reset(new boundBox(frame_.bounds(mesh_.points())));
-    }
-
-    return *box_;
 }
 
 
