@@ -236,7 +236,7 @@ bool Foam::functionObjects::flumeFunctionObject::passOver
             mesh_.foundObject<regIOobject>(name)
          || io.typeHeaderOk<volScalarField>(false);
 
-        if (name != "none" && !there)
+        if (returnReduce(name != "none" && !there, orOp<bool>()))
         {
             Info<< type() << " " << this->name() << ": time "
                 << mesh_.time().timeName() << " is passed over, it has no "
