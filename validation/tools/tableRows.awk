@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Reads kept rows, for the program that tableProgram.awk makes: number, cell, smallPrint
+
+BEGIN { FS = "," }
+FNR == 1 { split($0, heading, ","); next }
+FNR == 2 {
+    if ($1 in file)
+        stop("rows of the run " $1 " are " file[$1] " and " FILENAME \
+            "; remove the one whose case is gone")
+    file[$1] = FILENAME
+    for (i = 1; i <= NF; i++) row[$1, heading[i]] = $i
+}
+
+function stop(why)
+{
+    print "pageTables: " study "/tables, table " table ": " why > "/dev/stderr"
+    failed = 1
+    exit 1
+}
+
+# number run what: of its row
+function number(run, what,    value)
+{
+    if (!(run in file))
+        stop("looked for a kept row of the run " run \
+            "; run it (" study "/Allrun " run ") or correct its name")
+    if (!((run, what) in row))
+        stop("looked for the column " what " in " file[run] "; correct its name")
+    value = row[run, what]
+    if (value !~ /^[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?$/)
+        stop(what " in " file[run] " is \"" value "\", which is no number; " \
+            "write text in its place")
+    if (!(run in used)) { used[run]; count(run) }
+    return value + 0
+}
+
+# count run: its age and its commits
+function count(run,    version, all, i, n)
+{
+    rows++
+    version = (run, "version") in row ? row[run, "version"] : 0
+    if (version < present) older++
+    n = split(row[run, "code"], all, "+")
+    for (i = 1; i <= n; i++)
+        if (!(all[i] in commit)) { commit[all[i]]; commits = commits (commits ? ", " : "") all[i] }
+}
+
+# cell format value: with the sign of print, and without one at 0
+function cell(format, value,    text)
+{
+    text = sprintf(format, value)
+    if (text ~ /^-0\.?0*([^.0-9]|$)/) sub(/^-/, "", text)
+    sub(/^-/, "−", text)
+    return text
+}
+
+function smallPrint()
+{
+    print ""
+    print "*" (older ? older " of " rows " rows predate results version " present \
+        : rows (rows == 1 ? " row" : " rows") " of results version " present) \
+        "; commit" (commits ~ /,/ ? "s " : " ") commits ".*"
+}
