@@ -18,7 +18,7 @@ function stop(why)
     exit 1
 }
 
-# number run what: of its row
+# number run what: of its row, a little larger, so that 3.385 becomes 3.39
 function number(run, what,    value)
 {
     if (!(run in file))
@@ -31,7 +31,7 @@ function number(run, what,    value)
         stop(what " in " file[run] " is \"" value "\", which is no number; " \
             "write text in its place")
     if (!(run in used)) { used[run]; count(run) }
-    return value + 0
+    return value*(1 + 1e-12)
 }
 
 # count run: its age and its commits
