@@ -4,11 +4,20 @@
 BEGIN { FS = "," }
 FNR == 1 { split($0, heading, ","); next }
 FNR == 2 {
-    if ($1 in file)
-        stop("rows of the run " $1 " are " file[$1] " and " FILENAME \
+    run = runOf(FILENAME, $1)
+    if (run in file)
+        stop("rows of the run " run " are " file[run] " and " FILENAME \
             "; remove the one whose case is gone")
-    file[$1] = FILENAME
-    for (i = 1; i <= NF; i++) row[$1, heading[i]] = $i
+    file[run] = FILENAME
+    for (i = 1; i <= NF; i++) row[run, heading[i]] = $i
+}
+
+# runOf path name: with the folder before it, where that is not rows
+function runOf(path, name)
+{
+    path = substr(path, length(study) + 2)
+    sub(/[^\/]*$/, "", path)
+    return (path == "rows/" ? "" : path) name
 }
 
 function stop(why)
@@ -42,7 +51,11 @@ function count(run,    version, all, i, n)
     if (version < present) older++
     n = split(row[run, "code"], all, "+")
     for (i = 1; i <= n; i++)
-        if (!(all[i] in commit)) { commit[all[i]]; commits = commits (commits ? ", " : "") all[i] }
+    {
+        if (all[i] in commit) continue
+        commit[all[i]]
+        commits = commits (nCommits++ ? ", " : "") all[i]
+    }
 }
 
 # cell format value: with the sign of print, and without one at 0
@@ -59,5 +72,6 @@ function smallPrint()
     print ""
     print "*" (older ? older " of " rows " rows predate results version " present \
         : rows (rows == 1 ? " row" : " rows") " of results version " present) \
-        "; commit" (commits ~ /,/ ? "s " : " ") commits ".*"
+        "; " (nCommits > 12 ? nCommits " commits, see `code` in the rows" \
+            : "commit" (nCommits > 1 ? "s " : " ") commits) ".*"
 }
