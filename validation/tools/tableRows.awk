@@ -9,6 +9,7 @@ FNR == 2 {
         stop("rows of the run " run " are " file[run] " and " FILENAME \
             "; remove the one whose case is gone")
     file[run] = FILENAME
+    all[++nRows] = run
     for (i = 1; i <= NF; i++) row[run, heading[i]] = $i
 }
 
@@ -39,22 +40,27 @@ function number(run, what,    value)
     if (value !~ /^[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?$/)
         stop(what " in " file[run] " is \"" value "\", which is no number; " \
             "write text in its place")
-    if (!(run in used)) { used[run]; count(run) }
+    count(run)
     return value*(1 + 1e-12)
 }
 
-# count run: its age and its commits
-function count(run,    version, all, i, n)
+# countAll: for what a table has of all rows at once
+function countAll(    i) { for (i = 1; i <= nRows; i++) count(all[i]) }
+
+# count run: its age and its commits, once
+function count(run,    version, code, i, n)
 {
+    if (run in used) return
+    used[run]
     rows++
     version = (run, "version") in row ? row[run, "version"] : 0
     if (version < present) older++
-    n = split(row[run, "code"], all, "+")
+    n = split(row[run, "code"], code, "+")
     for (i = 1; i <= n; i++)
     {
-        if (all[i] in commit) continue
-        commit[all[i]]
-        commits = commits (nCommits++ ? ", " : "") all[i]
+        if (code[i] in commit) continue
+        commit[code[i]]
+        commits = commits (nCommits++ ? ", " : "") code[i]
     }
 }
 

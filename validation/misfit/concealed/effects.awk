@@ -8,33 +8,39 @@
 # each over the deviation that chance and noise give it.
 #
 # noise: of a reading of P, N, L, Q and S, the first letters of the channels. A row has
-# run,code,seconds and then <channel>_<sample>.
+# <channel>_<sample> behind seconds.
 
 BEGIN { split("P N L Q S", letter, " "); split(noise, sigma, " ") }
 
-FNR == 1 { for (i = 4; i <= NF; i++) heading[i] = $i; columns = NF; next }
+FNR == 1 {
+    for (before = 1; $before != "seconds" && before < NF; before++) ;
+    columns = NF - before
+    for (i = 1; i <= columns; i++) heading[i] = $(before + i)
+    next
+}
 
 {
     what = $1
     sub(/-[0-9]+$/, "", what)
     r = ++runs[what]
-    for (i = 4; i <= columns; i++)
+    for (i = 1; i <= columns; i++)
     {
-        if ($i !~ /^-?[0-9.]+(e[-+]?[0-9]+)?$/)
+        x = $(before + i)
+        if (x !~ /^-?[0-9.]+(e[-+]?[0-9]+)?$/)
         {
             print $1 " has no number " heading[i] > "/dev/stderr"
             failed = 1
             exit
         }
-        value[what, r, i] = $i
-        mean[what, i] += $i
+        value[what, r, i] = x
+        mean[what, i] += x
     }
 }
 
 # Of the packings without a mechanism, over the samples of a channel
 function scatter(c,    i, r, squares)
 {
-    for (i = 4; i <= columns; i++)
+    for (i = 1; i <= columns; i++)
         if (index(heading[i], c "_") == 1)
             for (r = 1; r <= without; r++)
                 squares += (value["without", r, i] - mean["without", i]/without)^2
@@ -45,7 +51,7 @@ function scatter(c,    i, r, squares)
 function effect(what, c,    i, x, all, squares)
 {
     all = variance[c] + ofReading[c]^2/3
-    for (i = 4; i <= columns; i++)
+    for (i = 1; i <= columns; i++)
     {
         if (index(heading[i], c "_") != 1) continue
         x = (mean[what, i]/runs[what] - mean["without", i]/without)/sqrt(all)
@@ -76,7 +82,7 @@ END {
         print "two rows without a mechanism are needed at least" > "/dev/stderr"
         exit 1
     }
-    for (i = 4; i <= columns; i++)
+    for (i = 1; i <= columns; i++)
     {
         c = substr(heading[i], 1, index(heading[i], "_") - 1)
         if (!samples[c]++) channel[++channels] = c
