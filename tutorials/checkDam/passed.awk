@@ -4,8 +4,8 @@
 #
 #   awk -v to=X -f passed.awk view/0.1/grains.dat view/0.2/grains.dat ...
 #
-# A line a moment: time, then for each size (bed, then debris from small to large) the
-# fraction that has passed. With -v last=1 a row of Markdown for each size, at the last moment.
+# A line of headings, then one a moment: time, then for each size (bed, then debris from small
+# to large) the fraction that has passed. With -v last=1 a row of Markdown for each size, at the last moment.
 
 FNR == 1 {
     moments++
@@ -38,17 +38,34 @@ function sizes(    kind, i, n, a, b)
 
 function passed(m, kind) { return 1 - before[m, kind]/all[kind] }
 
-function row(kind,    a)
+function name(kind,    a)
 {
     split(kind, a, " ")
-    printf "| %s, %g mm | %d | %.1f | %.1f |\n", (a[1] == 1 ? "bed" : "debris"), 1000*a[2], \
-        all[kind], 100*passed(moments, kind), 100*(1 - passed(moments, kind))
+    return sprintf("%s, %g mm", (a[1] == 1 ? "bed" : "debris"), 1000*a[2])
+}
+
+function row(kind)
+{
+    printf "| %s | %d | %.1f | %.1f |\n", name(kind), all[kind], \
+        100*passed(moments, kind), 100*(1 - passed(moments, kind))
+}
+
+function headings(    i)
+{
+    printf "time"
+    for (i = 1; i <= n; i++) printf " \"%s\"", name(order[i])
+    print ""
 }
 
 END {
     n = sizes()
-    if (last) for (i = 1; i <= n; i++) row(order[i])
-    else for (m = 1; m <= moments; m++)
+    if (last)
+    {
+        for (i = 1; i <= n; i++) row(order[i])
+        exit
+    }
+    headings()
+    for (m = 1; m <= moments; m++)
     {
         printf "%s", time[m]
         for (i = 1; i <= n; i++) printf " %.5f", passed(m, order[i])
