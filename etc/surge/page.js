@@ -23,7 +23,7 @@ const bits6 = (s, i) => six[s.charCodeAt(i)];
 const bits12 = (s, i) => 64*bits6(s, i) + bits6(s, i + 1);
 
 // Diameter and type of each grain, and its place and speed at each time. A grain that has not
-// moved keeps those of the time before
+// moved keeps those of the time before; one that is not in view yet is at 65535
 function readGrains()
 {
     const lines = rows('frames');
@@ -36,7 +36,7 @@ function readGrains()
     for (let t = 0; t <= last; t++)
     {
         const line = lines[t + 1];
-        const place = t ? frames[t - 1].place.slice() : new Uint16Array(3*n);
+        const place = t ? frames[t - 1].place.slice() : new Uint16Array(3*n).fill(65535);
         const speed = t ? frames[t - 1].speed.slice() : new Uint8Array(n);
         let at = Math.ceil(n/6);
         for (let i = 0; i < n; i++)
