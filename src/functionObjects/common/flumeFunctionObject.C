@@ -69,7 +69,14 @@ bool Foam::functionObjects::flumeFunctionObject::read(const dictionary& dict)
     rhoWater_ = dict.lookupOrDefault<scalar>("rhoWater", densityOfWater());
 
     // Read and reduced by all ranks at once: what is sampled may lie on one alone
-    gravity();
+    if
+    (
+        IOobject("g", mesh_.time().constant(), mesh_.time())
+       .typeHeaderOk<uniformDimensionedVectorField>(true)
+    )
+    {
+        gravity();
+    }
     box_ = frame_.bounds(mesh_.points());
 
     return true;
