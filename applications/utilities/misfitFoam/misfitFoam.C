@@ -22,16 +22,20 @@ void printPlan
 (
     sampler& ask,
     solverPredictor& solver,
+    const recordings& recorded,
     const settings& set
 )
 {
     label n = 0;
     for (const plannedStage& stage : plan(ask, set))
     {
-        solver.print(stage.name, stage.states);
-        n += stage.states.size();
+        const List<runState> runs(runsOf(recorded, stage.states));
+        solver.print(stage.name, runs);
+        n += runs.size();
     }
-    const label refits = (set.refit + 3)*set.commonRandomNumbers;
+    const label refits =
+        (set.refit + 3)*set.commonRandomNumbers
+       *recorded.experiments(purpose::calibration).size();
     Info<< "Refit of the best explanations: " << refits << " to " << refits*set.passes
         << " runs at states that the sensitivities will show" << nl
         << "Gates: " << 2*set.commonRandomNumbers
@@ -41,7 +45,7 @@ void printPlan
         << " of each validation experiment" << nl;
     if (set.correction.size())
     {
-        Info<< "Free correction: at most " << 4*set.passes*set.commonRandomNumbers
+        Info<< "Free correction: at most " << 4*set.passes*refits/(set.refit + 3)
             << " runs, and 2 of each held-out experiment; none where there is"
             << " an answer" << nl;
     }
@@ -149,7 +153,7 @@ int main(int argc, char* argv[])
     predictedSampler sampler(recorded, solver);
     if (args.found("dry-run"))
     {
-        printPlan(sampler, solver, set);
+        printPlan(sampler, solver, recorded, set);
         return 0;
     }
 
@@ -163,7 +167,8 @@ int main(int argc, char* argv[])
     printFinding(found, folder);
     if (found.verdict.state)
     {
-        solver.makeCase(*found.verdict.state, folder/correctedCase);
+        const runState corrected(runsOf(recorded, {*found.verdict.state}).first());
+        solver.makeCase(corrected, folder/correctedCase);
     }
     return 0;
 }

@@ -2,7 +2,6 @@
 // What was recorded and what a state gives for it, as samples.
 
 #include "sampler.H"
-#include "keywords.H"
 
 namespace
 {
@@ -69,12 +68,13 @@ vec stack(const recordings& all, const labelList& channels, const prediction& p)
 //  interval, or else of those that were
 stacked possible(const recordings& all, const word& experiment)
 {
+    const wordList parts(all.parts(experiment));
     stacked data;
     scalar first = GREAT;
     scalar last = -GREAT;
     for (const channel& c : all.channels())
     {
-        if (c.isRecorded() && c.overTime() && c.experiment == experiment)
+        if (c.isRecorded() && c.overTime() && parts.found(c.experiment))
         {
             first = min(first, c.samples.x[0]);
             last = max(last, c.samples.x.tail(1)[0]);
@@ -84,7 +84,7 @@ stacked possible(const recordings& all, const word& experiment)
     for (const channel& c : all.channels())
     {
         const bool isPossible =
-            !c.isRecorded() && c.overTime() && c.experiment == experiment;
+            !c.isRecorded() && c.overTime() && parts.found(c.experiment);
         const bool given = c.interval.first() > -GREAT;
         const scalar from = given ? c.interval.first() : first;
         const scalar to = given ? c.interval.second() : last;
@@ -131,6 +131,36 @@ vec possibleStack
     return toVec(values);
 }
 
+
+//- The predictions of the parts of an experiment as one, or the first failure
+prediction joined
+(
+    const recordings& all,
+    const UList<prediction>& parts,
+    const word& experiment
+)
+{
+    const wordList names(all.parts(experiment));
+    prediction one(parts[0]);
+    forAll(parts, k)
+    {
+        if (!parts[k].ok())
+        {
+            one.failure =
+                (names.size() > 1 ? names[k] + ": " : string()) + parts[k].failure;
+            return one;
+        }
+        forAll(parts[k].channels, i)
+        {
+            if (all.channels()[i].experiment == names[k])
+            {
+                one.channels[i] = parts[k].channels[i];
+            }
+        }
+    }
+    return one;
+}
+
 } // End anonymous namespace
 
 
@@ -171,28 +201,20 @@ Foam::misfit::predictedSampler::predictedSampler
     predictor_(p),
     trainingEnsemble_(trainingEnsemble)
 {
-    wordList names(all.experiments(purpose::calibration));
+    wordList names(1, all.calibrated());
     names.append(all.experiments(purpose::validation));
     names.append(all.experiments(purpose::test));
     for (const word& e : names)
     {
         observation o;
         o.experiment = e;
-        o.use = all.use(e);
+        o.use = all.use(all.parts(e).first());
         for (const purpose use : uses)
         {
             o.of(use) = stack(all, all.select(e, use));
         }
         o.possible = possible(all, e);
         data_.append(o);
-    }
-    if (all.experiments(purpose::calibration).size() > 1)
-    {
-        FatalErrorInFunction
-            << "The experiments"
-            << keywords::listed(all.experiments(purpose::calibration)).c_str()
-            << " are all for calibration, which takes one: give the others"
-            << "  use validation;  or  use test;" << exit(FatalError);
     }
 }
 
@@ -224,15 +246,37 @@ Foam::misfit::sampler::means(const List<runState>& states, const label n)
 }
 
 
+Foam::List<Foam::misfit::runState>
+Foam::misfit::runsOf(const recordings& all, const List<runState>& states)
+{
+    List<runState> runs;
+    for (const runState& s : states)
+    {
+        for (const word& part : all.parts(s.experiment))
+        {
+            runs.append(s);
+            runs.last().experiment = part;
+        }
+    }
+    return runs;
+}
+
+
 Foam::List<Foam::misfit::samples>
 Foam::misfit::predictedSampler::operator()(const List<runState>& states)
 {
-    const List<prediction> predicted(predictor_.predict(states));
+    const List<prediction> predicted(predictor_.predict(runsOf(recordings_, states)));
     List<samples> all(states.size());
+    label run = 0;
     forAll(states, i)
     {
-        const prediction& p = predicted[i];
         const word& e = states[i].experiment;
+        const label n = recordings_.parts(e).size();
+        const prediction p
+        (
+            joined(recordings_, SubList<prediction>(predicted, n, run), e)
+        );
+        run += n;
         all[i].failure = p.failure;
         if (p.ok())
         {

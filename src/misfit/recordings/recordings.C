@@ -229,6 +229,26 @@ Foam::misfit::recordings::experiments(const purpose use) const
 }
 
 
+Foam::word Foam::misfit::recordings::calibrated() const
+{
+    word all;
+    for (const word& name : experiments(purpose::calibration))
+    {
+        all += (all.empty() ? "" : "+") + name;
+    }
+    return all;
+}
+
+
+Foam::wordList
+Foam::misfit::recordings::parts(const word& experiment) const
+{
+    return
+        experiment == calibrated()
+      ? experiments(purpose::calibration) : wordList(1, experiment);
+}
+
+
 Foam::labelList Foam::misfit::recordings::select
 (
     const word& experiment,
@@ -236,12 +256,15 @@ Foam::labelList Foam::misfit::recordings::select
 ) const
 {
     labelList chosen;
-    forAll(channels_, i)
+    for (const word& part : parts(experiment))
     {
-        const channel& c = channels_[i];
-        if (c.isRecorded() && c.experiment == experiment && c.use == use)
+        forAll(channels_, i)
         {
-            chosen.append(i);
+            const channel& c = channels_[i];
+            if (c.isRecorded() && c.experiment == part && c.use == use)
+            {
+                chosen.append(i);
+            }
         }
     }
     return chosen;
@@ -268,11 +291,12 @@ void Foam::misfit::recordings::checkHeldOut(const dictionary& dict) const
                     << exit(FatalIOError);
             }
         }
-        if (!recorded && use(e) != purpose::calibration)
+        const bool alone = parts(e).size() == 1 && use(e) == purpose::calibration;
+        if (!recorded && !alone)
         {
             FatalIOErrorInFunction(dict)
-                << "The experiment " << e << " has no recorded channel, so it can"
-                << " confirm nothing. Give it one, or take it out"
+                << "The experiment " << e << " has no recorded channel, so its"
+                << " runs decide nothing. Give it one, or take it out"
                 << exit(FatalIOError);
         }
     }

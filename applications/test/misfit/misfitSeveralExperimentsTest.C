@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A calibration by several experiments: one run in each, fitted as one.
+
+#include "diagnosis.H"
+#include "sampler.H"
+#include "terminalOutput.H"
+#include "worldDiagnosis.H"
+
+#include "IStringStream.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+namespace
+{
+
+//- Channels of single values: n in each of the experiments, with these recorded ones
+std::string valuesOf(const std::map<std::string, std::vector<scalar>>& recorded)
+{
+    std::string text("channels {");
+    for (const auto& [experiment, values] : recorded)
+    {
+        for (size_t i = 0; i < values.size(); ++i)
+        {
+            text +=
+                ' ' + experiment + std::to_string(i) + " { experiment " + experiment
+              + "; quantity length; unit \"m\"; uncertainty 0.01; value "
+              + std::to_string(values[i])
+              + "; simulated { type table; function f; file \"f.dat\"; } }";
+        }
+    }
+    return text + " }";
+}
+
+
+//- Two mechanisms that do the same in A and the reverse of each other in B
+class contrary
+:
+    public predictor
+{
+    const recordings& all_;
+
+public:
+
+    //- Experiments that were run, in their order
+    DynamicList<word> ran;
+
+    //- That fails; empty: none
+    word failing;
+
+    explicit contrary(const recordings& all)
+    :
+        all_(all)
+    {}
+
+    List<prediction> predict(const List<runState>& states) override
+    {
+        List<prediction> given(states.size());
+        forAll(states, i)
+        {
+            const runState& s = states[i];
+            ran.append(s.experiment);
+            given[i].failure = s.experiment == failing ? "no luck" : "";
+            given[i].channels.setSize(all_.channels().size());
+            const scalar first = s.strengths.lookup("first", 0);
+            const scalar second = s.strengths.lookup("second", 0);
+            forAll(all_.channels(), c)
+            {
+                const channel& its = all_.channels()[c];
+                if (its.experiment == s.experiment)
+                {
+                    const scalar sign = its.experiment == "A" ? 1 : -1;
+                    const scalar y = (1 + 0.1*c)*(first + sign*second);
+                    given[i].channels[c] = series({0.0}, {y});
+                }
+            }
+        }
+        return given;
+    }
+};
+
+
+//- One mechanism at 0.6, as recorded: of the channel numbers that all experiments share
+std::vector<scalar> recordedWith(const label from, const scalar sign)
+{
+    std::vector<scalar> values;
+    for (label c = from; c < from + 4; ++c)
+    {
+        values.push_back(0.6*sign*(1 + 0.1*c));
+    }
+    return values;
+}
+
+
+recordings readAll(const std::string& text)
+{
+    return recordings(dictionary(IStringStream(text)()), "");
+}
+
+
+const std::string twoCalibrations("experiments { A { } B { } C { use validation; } } ");
+
+const std::string threeExperiments
+(
+    twoCalibrations
+  + valuesOf
+    ({
+        {"A", recordedWith(0, 1)}, {"B", recordedWith(4, -1)}, {"C", recordedWith(8, -1)}
+    })
+);
+
+
+settings twoMechanisms()
+{
+    settings s(worldSettings());
+    s.parameters.clear();
+    s.candidates.clear();
+    for (const word name : {"first", "second"})
+    {
+        s.candidates.append({name, name, {}, 0.5, 1, 1, GREAT, {}});
+    }
+    s.faults.clear();
+    s.clockUncertainty = 0;
+    return s;
+}
+
+} // End anonymous namespace
+
+
+TEST(misfitSeveralExperiments, aStateRunsInEachAndGivesTheSamplesOfAll)
+{
+    const recordings all(readAll(threeExperiments));
+    contrary solver(all);
+    predictedSampler ask(all, solver);
+    ASSERT_EQ(ask.data().size(), 2);
+    EXPECT_EQ(ask.data().first().experiment, "A+B");
+    EXPECT_EQ(ask.data().first().calibration.size(), 8);
+
+    runState s;
+    s.experiment = "A+B";
+    s.strengths.set("second", 1);
+    const samples given(ask({s}).first());
+    EXPECT_EQ(solver.ran, wordList({"A", "B"}));
+    ASSERT_EQ(given.calibration.size(), 8);
+    EXPECT_DOUBLE_EQ(given.calibration[0], 1);
+    EXPECT_DOUBLE_EQ(given.calibration[4], -1.4);
+}
+
+
+TEST(misfitSeveralExperiments, whatFailsInOneFailsAndIsNamed)
+{
+    const recordings all(readAll(threeExperiments));
+    contrary solver(all);
+    solver.failing = "B";
+    predictedSampler ask(all, solver);
+    runState s;
+    s.experiment = "A+B";
+    EXPECT_EQ(ask({s}).first().failure, "B: no luck");
+    s.experiment = "C";
+    EXPECT_TRUE(ask({s}).first().ok());
+}
+
+
+TEST(misfitSeveralExperiments, whatOneCannotTellApartIsNamedByBoth)
+{
+    const recordings all(readAll(threeExperiments));
+    contrary solver(all);
+    predictedSampler ask(all, solver);
+    const settings set(twoMechanisms());
+    const finding both(diagnose(ask, set));
+    expectAnswer(both, "named", {"second"});
+
+    const recordings one
+    (
+        readAll
+        (
+            "experiments { A { } } " + valuesOf({{"A", recordedWith(0, 1)}})
+        )
+    );
+    contrary alone(one);
+    predictedSampler askOne(one, alone);
+    const finding f(diagnose(askOne, set));
+    show(f);
+    EXPECT_EQ(f.verdict.kind, verdictKind::set);
+}
+
+
+TEST(misfitSeveralExperiments, oneWithoutARecordingIsRefused)
+{
+    const std::string text(twoCalibrations + valuesOf({{"A", {1, 2, 3}}}));
+    const dictionary dict(IStringStream(text)());
+    expectHolds
+    (
+        refusal([&]() { recordings(dict, "").checkEnough(dict, 2); }),
+        "experiment B has no recorded channel"
+    );
+}
