@@ -275,6 +275,32 @@ TEST(dragCorrection, ofStrengthZeroIsTheLawToTheLastBit)
 }
 
 
+TEST(dragCorrection, holdsForTheDiametersItNames)
+{
+    const scalar alone = law<dragModel>("model DiFelice;")->K(someState());
+    const auto factor = [&](const scalar smallest, const scalar largest)
+    {
+        const std::string range(std::to_string(smallest) + ' ' + std::to_string(largest));
+        return
+            law<dragModel>
+            (
+                "model DiFelice; correction { voidFraction (1); Reynolds (1);"
+                " logarithm ((0.5)); diameters (" + range + "); }"
+            )->K(someState())/alone;
+    };
+    const scalar d = someState().d;
+    EXPECT_EQ(factor(2*d, 3*d), 1);
+    EXPECT_EQ(factor(0, 0.5*d), 1);
+    EXPECT_NEAR(factor(0.5*d, 2*d), std::exp(0.5), 1e-12);
+    expectError<dragModel>
+    (
+        "model DiFelice; correction { voidFraction (1); Reynolds (1);"
+        " logarithm ((0.5)); diameters (2 1); }",
+        {"the smallest comes first"}
+    );
+}
+
+
 TEST(dragCorrection, aTableThatDoesNotFitItsNodesIsRefused)
 {
     for (const char* table :

@@ -33,8 +33,14 @@ void Foam::correctedDrag::check(const dictionary& dict) const
 {
     keywords::check
     (
-        dict, {"voidFraction", "Reynolds", "logarithm", "strength"}
+        dict, {"voidFraction", "Reynolds", "logarithm", "strength", "diameters"}
     );
+    if (diameters_.first() > diameters_.second())
+    {
+        FatalIOErrorInFunction(dict)
+            << "The correction of the drag holds for the diameters " << diameters_
+            << " m: the smallest comes first" << exit(FatalIOError);
+    }
 
     bool fits = table_.size() == voidFraction_.size() && table_.size();
     for (const scalarList& row : table_)
@@ -77,7 +83,11 @@ Foam::correctedDrag::correctedDrag
     strength_(dict.lookupOrDefault<scalar>("strength", 1)),
     voidFraction_(dict.get<scalarList>("voidFraction")),
     logReynolds_(dict.get<scalarList>("Reynolds")),
-    table_(dict.get<List<scalarList>>("logarithm"))
+    table_(dict.get<List<scalarList>>("logarithm")),
+    diameters_
+    (
+        dict.getOrDefault("diameters", Tuple2<scalar, scalar>(0, GREAT))
+    )
 {
     for (scalar& Re : logReynolds_)
     {
@@ -142,6 +152,10 @@ Foam::scalar Foam::correctedDrag::logarithm
 
 Foam::scalar Foam::correctedDrag::K(const grainState& state) const
 {
+    if (state.d < diameters_.first() || state.d > diameters_.second())
+    {
+        return law_->K(state);
+    }
     return
         law_->K(state)
        *std::exp
