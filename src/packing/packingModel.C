@@ -66,10 +66,10 @@ scalar pushApart(overlapRelaxation& spheres, Random& random)
 Foam::packingModel::packingModel
 (
     const dictionary& dict,
-    const wordList& ownKeywords
+    const wordList& modelKeywords
 )
 :
-    dict_(checked(dict, ownKeywords)),
+    dict_(checked(dict, modelKeywords)),
     sizes_(dict),
     density_(positive("density")),
     material_(dict.lookupOrDefault<label>("material", 1)),
@@ -87,7 +87,7 @@ Foam::packingModel::packingModel
 const Foam::dictionary& Foam::packingModel::checked
 (
     const dictionary& dict,
-    const wordList& ownKeywords
+    const wordList& modelKeywords
 )
 {
     wordList valid
@@ -95,7 +95,7 @@ const Foam::dictionary& Foam::packingModel::checked
         "type", "diameter", "diameters", "density", "material", "seed",
         "periodic"
     });
-    valid.append(ownKeywords);
+    valid.append(modelKeywords);
     keywords::check(dict, valid);
 
     return dict;

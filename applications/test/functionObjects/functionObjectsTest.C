@@ -383,7 +383,7 @@ TEST(ParallelBedErosion, theBedIsTheSameHoweverItIsShared)
 {
     const bedGrains whole(lattice(6));
     grainSnapshot mine(whole.size());
-    DynamicList<label> own;
+    DynamicList<label> local;
 
     forAll(whole.d, i)
     {
@@ -392,11 +392,11 @@ TEST(ParallelBedErosion, theBedIsTheSameHoweverItIsShared)
 
         if (i % Pstream::nProcs() == Pstream::myProcNo())
         {
-            own.append(i);
+            local.append(i);
         }
     }
 
-    const bedGrains bed(flumeFrame(), mine, own);
+    const bedGrains bed(flumeFrame(), mine, local);
     const strips along(bed.alongFlume(flume, 0.01));
     const planGrid grid(flume, 0.02);
     const scalar solid = latticePacking*0.3*0.06;

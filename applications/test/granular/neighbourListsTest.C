@@ -34,12 +34,12 @@ struct stirredBox
     liggghtsInstance liggghts;
 
     //- Empty, or with the grains of a written state
-    explicit stirredBox(const bool ownLists, const std::string& state = "")
+    explicit stirredBox(const bool sizeClasses, const std::string& state = "")
     :
         liggghts(fileName(folder)/"log.liggghts")
     {
         EXPECT_TRUE(liggghts.vectoriseContacts());
-        if (ownLists)
+        if (sizeClasses)
         {
             EXPECT_TRUE(liggghts.useNeighbourLists());
         }
@@ -334,15 +334,15 @@ TEST(neighbourLists, moveGrainsAsLiggghtssOwn)
     const std::string state(fileName(settled.folder)/"state");
     settled.commands("write_restart " + state + "\n");
 
-    stirredBox own(true, state), stock(false, state);
-    for (stirredBox* one : {&own, &stock})
+    stirredBox bySize(true, state), stock(false, state);
+    for (stirredBox* one : {&bySize, &stock})
     {
         one->physics();
         one->liggghts.setup();
         one->liggghts.run(10000);
     }
 
-    const std::vector<double> x(own.positions()), y(stock.positions());
+    const std::vector<double> x(bySize.positions()), y(stock.positions());
     ASSERT_EQ(x.size(), y.size());
     double most = 0;
     for (std::size_t k = 0; k < x.size(); ++k)
@@ -351,6 +351,6 @@ TEST(neighbourLists, moveGrainsAsLiggghtssOwn)
     }
     // Of the height of the box
     EXPECT_LT(most, 1e-12*0.16);
-    EXPECT_EQ(own.missedContacts().first, 0);
-    EXPECT_GT(own.missedContacts().second, label(x.size()/3));
+    EXPECT_EQ(bySize.missedContacts().first, 0);
+    EXPECT_GT(bySize.missedContacts().second, label(x.size()/3));
 }

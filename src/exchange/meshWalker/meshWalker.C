@@ -32,7 +32,7 @@ void Foam::meshWalker::setNeighbours()
         cells[i] = mesh_.faceOwner()[mesh_.nInternalFaces() + i];
         centres[i] = mesh_.faceCentres()[mesh_.nInternalFaces() + i];
     }
-    const pointField own(centres);
+    const pointField here(centres);
 
     syncTools::swapBoundaryFaceList(mesh_, cells);
     syncTools::swapBoundaryFaceList(mesh_, ranks);
@@ -57,7 +57,7 @@ void Foam::meshWalker::setNeighbours()
 
             if (periodic)
             {
-                shift_[at] = centres[at] - own[at];
+                shift_[at] = centres[at] - here[at];
             }
         }
     }

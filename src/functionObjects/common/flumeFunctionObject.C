@@ -86,10 +86,10 @@ bool Foam::functionObjects::flumeFunctionObject::read(const dictionary& dict)
 void Foam::functionObjects::flumeFunctionObject::checkKeys
 (
     const dictionary& dict,
-    const wordList& own
+    const wordList& keys
 ) const
 {
-    DynamicList<word> valid(own);
+    DynamicList<word> valid(keys);
     valid.append(commonKeys);
     keywords::check(dict, valid);
 }

@@ -22,7 +22,7 @@
 namespace
 {
     //- A fix that a script may not have: what it does, why not, what to do
-    struct unwantedFix
+    struct conflictingFix
     {
         const char* style;
         const char* what;
@@ -30,7 +30,7 @@ namespace
         const char* remedy;
     };
 
-    const unwantedFix unwantedFixes[] =
+    const conflictingFix conflictingFixes[] =
     {
         {
             "gravity",
@@ -174,7 +174,7 @@ void Foam::liggghtsChecks::domain
 }
 
 
-void Foam::liggghtsChecks::noOwnFixes
+void Foam::liggghtsChecks::noConflictingFixes
 (
     liggghtsInstance& liggghts,
     const fileName& script
@@ -184,13 +184,13 @@ void Foam::liggghtsChecks::noOwnFixes
 
     for (label i = 0; i < modify.nfix; ++i)
     {
-        for (const unwantedFix& unwanted : unwantedFixes)
+        for (const conflictingFix& conflict : conflictingFixes)
         {
-            if (!std::strcmp(modify.fix[i]->style, unwanted.style))
+            if (!std::strcmp(modify.fix[i]->style, conflict.style))
             {
                 FatalErrorInFunction
-                    << script << unwanted.what << " (fix " << modify.fix[i]->id
-                    << ")" << unwanted.why << nl << "    " << unwanted.remedy
+                    << script << conflict.what << " (fix " << modify.fix[i]->id
+                    << ")" << conflict.why << nl << "    " << conflict.remedy
                     << exit(FatalError);
             }
         }

@@ -336,9 +336,9 @@ void Foam::liggghtsInstance::chooseSkin()
 
 std::string Foam::liggghtsInstance::whyContactsAreStock() const
 {
-    auto* own = dynamic_cast<vectorisedContacts*>(lmp_->force->pair);
+    auto* contacts = dynamic_cast<vectorisedContacts*>(lmp_->force->pair);
 
-    return own ? own->reason() : "the case requests it";
+    return contacts ? contacts->reason() : "the case requests it";
 }
 
 

@@ -138,7 +138,7 @@ Foam::liggghtsPhase::liggghtsPhase
     liggghts_.chooseSkin();
 
     liggghts_.script(physicsScript_, mesh.time().globalPath());
-    addOwnFixes();
+    addCouplingFixes();
     liggghtsChecks::timeStep(liggghts_, physicsScript_);
 
     liggghts_.setup();

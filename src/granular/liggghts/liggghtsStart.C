@@ -178,9 +178,9 @@ void Foam::liggghtsPhase::setVariables()
 }
 
 
-void Foam::liggghtsPhase::addOwnFixes()
+void Foam::liggghtsPhase::addCouplingFixes()
 {
-    liggghtsChecks::noOwnFixes(liggghts_, physicsScript_);
+    liggghtsChecks::noConflictingFixes(liggghts_, physicsScript_);
 
     if (mag(g_) > SMALL)
     {

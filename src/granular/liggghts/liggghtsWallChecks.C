@@ -106,7 +106,7 @@ namespace
 }
 
 
-void Foam::liggghtsChecks::noOwnWall
+void Foam::liggghtsChecks::noDuplicateWall
 (
     liggghtsInstance& liggghts,
     const polyPatch& patch,

@@ -42,7 +42,7 @@ Foam::liggghtsWalls::liggghtsWalls
       ? dict.get<string>("contactModel")
       : liggghtsScript::contactModel(script)
     ),
-    own_(dict.lookupOrDefault<wordList>("surfaces", wordList())),
+    scriptSurfaces_(dict.lookupOrDefault<wordList>("surfaces", wordList())),
     nWalls_(0)
 {
     keywords::check
@@ -191,7 +191,7 @@ void Foam::liggghtsWalls::addWallOfSurfaces(liggghtsInstance& liggghts) const
     {
         meshes += " " + surfaces_[patch];
     }
-    for (const word& id : own_)
+    for (const word& id : scriptSurfaces_)
     {
         meshes += " " + id;
     }
@@ -199,7 +199,7 @@ void Foam::liggghtsWalls::addWallOfSurfaces(liggghtsInstance& liggghts) const
     liggghts.command
     (
         "fix surfaces all wall/gran " + contactModel_ + " mesh n_meshes "
-      + Foam::name(surfaces_.size() + own_.size()) + " meshes" + meshes
+      + Foam::name(surfaces_.size() + scriptSurfaces_.size()) + " meshes" + meshes
       + " store_force_contact yes"
     );
 }
@@ -281,7 +281,7 @@ void Foam::liggghtsWalls::makeRoom(liggghtsInstance& liggghts) const
 
 void Foam::liggghtsWalls::add(liggghtsInstance& liggghts)
 {
-    liggghtsChecks::surfacesAreThere(liggghts, own_, script_);
+    liggghtsChecks::surfacesAreThere(liggghts, scriptSurfaces_, script_);
 
     std::set<wallTriangles::corners, wallTriangles::before> faces;
 
@@ -292,7 +292,7 @@ void Foam::liggghtsWalls::add(liggghtsInstance& liggghts)
             continue;
         }
 
-        liggghtsChecks::noOwnWall(liggghts, patch, own_, script_);
+        liggghtsChecks::noDuplicateWall(liggghts, patch, scriptSurfaces_, script_);
 
         const labelList on(sides(patch));
 
@@ -306,7 +306,7 @@ void Foam::liggghtsWalls::add(liggghtsInstance& liggghts)
         }
     }
 
-    if (surfaces_.size() || own_.size())
+    if (surfaces_.size() || scriptSurfaces_.size())
     {
         addWallOfSurfaces(liggghts);
     }

@@ -39,13 +39,13 @@ Foam::dictionary Foam::closure::without
 void Foam::closure::checkKeywords
 (
     const dictionary& dict,
-    const wordList& own
+    const wordList& settings
 )
 {
     keywords::check
     (
         dict,
-        own,
+        settings,
         "\nBeside them, where the law is chosen: model strength"
         " (for drag also: base baseSettings)"
     );

@@ -180,8 +180,8 @@ inline void Foam::grainForces::setForce
     // Shear moves computed grains past each other N times as fast as real ones
     if (coarseGraining_ != 1)
     {
-        const scalar own = K/sqr(coarseGraining_);
-        explicit_[i] += m/(m + own*interval)*own*(v - grain.velocity);
+        const scalar perGrain = K/sqr(coarseGraining_);
+        explicit_[i] += m/(m + perGrain*interval)*perGrain*(v - grain.velocity);
     }
 
     setTorque(i, state, interval);

@@ -19,7 +19,7 @@ Foam::solidFractionField::solidFractionField
     excess_(mesh_, 1 - minimum_)
 {
     wordList known({"model", "minimum", "smoothing"});
-    known.append(model_->ownKeywords());
+    known.append(model_->modelKeywords());
     keywords::check(dict, known);
 
     if (minimum_ <= 0 || minimum_ >= 1)

@@ -64,7 +64,7 @@ Foam::neighbourLists::neighbourLists(LAMMPS_NS::LAMMPS* lmp)
 {}
 
 
-bool Foam::neighbourLists::areOwn() const
+bool Foam::neighbourLists::buildsLists() const
 {
     return style == binStyle && !newton_pair && !triclinic && !includegroup;
 }
@@ -73,7 +73,7 @@ bool Foam::neighbourLists::areOwn() const
 bool Foam::neighbourLists::oneSkin() const
 {
     return
-        !areOwn() || boxcheck || atom->radvary_flag || !dist_check || delay > 0
+        !buildsLists() || boxcheck || atom->radvary_flag || !dist_check || delay > 0
      || every > 1 || build_once || !comm->ghost_velocity;
 }
 
@@ -124,7 +124,7 @@ void Foam::neighbourLists::chooseSkin()
 {
     if (skin == liggghtsSkin)
     {
-        ownSkin_ = skin = defaultSkin();
+        defaultSkin_ = skin = defaultSkin();
     }
     if (delay == liggghtsDelay)
     {
@@ -150,7 +150,7 @@ void Foam::neighbourLists::checkPositions() const
 
 void Foam::neighbourLists::boundBins()
 {
-    if ((binsizeflag && binsize_user != ownBinSize_) || atom->firstgroupname)
+    if ((binsizeflag && binsize_user != defaultBinSize_) || atom->firstgroupname)
     {
         return;
     }
@@ -164,17 +164,17 @@ void Foam::neighbourLists::boundBins()
 
     // LIGGGHTS takes no bins that are 100 times as wide as the box
     const double most = std::max(binsAnyway, binsPerGrain*double(atom->natoms));
-    ownBinSize_ =
+    defaultBinSize_ =
         std::max(0.5*cutneighmax, std::min(std::cbrt(volume/most), 50*thinnest));
-    binsize_user = ownBinSize_;
-    binsizeflag = ownBinSize_ > 0;
+    binsize_user = defaultBinSize_;
+    binsizeflag = defaultBinSize_ > 0;
 
     // Those to sort grains by are as many
-    if (ownBinSize_ > 0.5*cutneighmax)
+    if (defaultBinSize_ > 0.5*cutneighmax)
     {
         std::ostringstream size;
         size.precision(17);
-        size << ownBinSize_;
+        size << defaultBinSize_;
         std::string words[] = {"sort", std::to_string(atom->sortfreq), size.str()};
         char* arguments[] = {&words[0][0], &words[1][0], &words[2][0]};
         atom->modify_params(3, arguments);
@@ -184,9 +184,9 @@ void Foam::neighbourLists::boundBins()
 
 void Foam::neighbourLists::init()
 {
-    if (skin == ownSkin_)
+    if (skin == defaultSkin_)
     {
-        ownSkin_ = skin = defaultSkin();
+        defaultSkin_ = skin = defaultSkin();
     }
 
     Neighbor::init();
@@ -207,7 +207,7 @@ void Foam::neighbourLists::choose_build
     if
     (
         request->gran && !derived && !request->half && !request->full
-     && !request->omp && areOwn()
+     && !request->omp && buildsLists()
     )
     {
         pair_build[index] = static_cast<PairPtr>(&neighbourLists::listGrains);

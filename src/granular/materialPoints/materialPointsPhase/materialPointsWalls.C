@@ -149,14 +149,14 @@ void Foam::materialPointsWalls::setFriction
     {
         const dictionary& settings =
             dict.subDict("bodies").subDict(method.bodies()[body]);
-        const dictionary own
+        const dictionary bodyWalls
         (
             keywords::sub(settings, "walls", {"friction", "frictions"})
         );
-        const dictionary ownFrictions(keywords::sub(own, "frictions"));
-        keywords::checkPatterns(ownFrictions, walls);
+        const dictionary bodyFrictions(keywords::sub(bodyWalls, "frictions"));
+        keywords::checkPatterns(bodyFrictions, walls);
 
-        if (own.size() && !method.hasContact())
+        if (bodyWalls.size() && !method.hasContact())
         {
             FatalIOErrorInFunction(settings)
                 << "Body " << method.bodies()[body] << " has walls of its own,"
@@ -169,7 +169,7 @@ void Foam::materialPointsWalls::setFriction
         friction[body].setSize(walls.size());
         forAll(walls, wall)
         {
-            const scalar ofAll = own.getOrDefault<scalar>
+            const scalar ofAll = bodyWalls.getOrDefault<scalar>
             (
                 "friction",
                 frictions.getOrDefault<scalar>
@@ -179,7 +179,7 @@ void Foam::materialPointsWalls::setFriction
                 )
             );
             friction[body][wall] =
-                ownFrictions.getOrDefault<scalar>(walls[wall], ofAll);
+                bodyFrictions.getOrDefault<scalar>(walls[wall], ofAll);
 
             if (!(friction[body][wall] >= 0))
             {

@@ -12,14 +12,14 @@ Foam::pointsAsGrains::pointsAsGrains
     for (const word& body : names)
     {
         const dictionary& of = bodies.subDict(body);
-        const scalar own = of.get<scalar>("density");
-        const scalar solid = of.getOrDefault<scalar>("solidDensity", own);
+        const scalar bulk = of.get<scalar>("density");
+        const scalar solid = of.getOrDefault<scalar>("solidDensity", bulk);
 
-        if (solid < own)
+        if (solid < bulk)
         {
             FatalIOErrorInFunction(of)
                 << "solidDensity is " << solid << " kg/m3, less than density,"
-                << " which is " << own << " with the pores." << nl
+                << " which is " << bulk << " with the pores." << nl
                 << "    Give that of the solid alone, as 2650 for sand."
                 << exit(FatalIOError);
         }

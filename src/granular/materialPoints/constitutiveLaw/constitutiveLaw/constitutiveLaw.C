@@ -16,14 +16,14 @@ namespace Foam
 const Foam::dictionary& Foam::constitutiveLaw::checked
 (
     const dictionary& dict,
-    const wordList& own
+    const wordList& lawKeys
 )
 {
     wordList all
     (
         {"law", "density", "E", "nu", "solidDensity", "grainDiameter"}
     );
-    all.append(own);
+    all.append(lawKeys);
     keywords::check(dict, all);
 
     return dict;
