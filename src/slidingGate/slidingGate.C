@@ -245,7 +245,7 @@ void Foam::slidingGate::findExtents(const vector& direction)
 Foam::scalar Foam::slidingGate::drawn(const scalar t) const
 {
     return
-        t > start_ && active()
+        t > start_ && exists()
       ? speed_->integrate(0, (t - start_)/strength_)
       : 0;
 }
@@ -253,7 +253,7 @@ Foam::scalar Foam::slidingGate::drawn(const scalar t) const
 
 void Foam::slidingGate::move(const scalar t)
 {
-    if (!active())
+    if (!exists())
     {
         return;
     }
@@ -287,7 +287,7 @@ void Foam::slidingGate::move(const scalar t)
 
 void Foam::slidingGate::close(surfaceScalarField& throughFaces) const
 {
-    if (active())
+    if (exists())
     {
         throughFaces *= *open_;
     }

@@ -181,7 +181,7 @@ TEST(demCoupling, hasNoGrainsWithoutTheirDictionary)
     testMesh box;
     const demCoupling grains(box.mesh(), hydrostatics(g));
 
-    EXPECT_FALSE(grains.active());
+    EXPECT_FALSE(grains.hasGrains());
     EXPECT_FALSE(grains.due());
 }
 

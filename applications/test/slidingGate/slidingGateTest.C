@@ -102,7 +102,7 @@ TEST(slidingGate, AClosedGateLetsNothingThroughAndNothingElseIsTouched)
     testMesh m(box());
     slidingGate gate(m.mesh(), gateAt(0.5));
 
-    EXPECT_TRUE(gate.active());
+    EXPECT_TRUE(gate.exists());
     EXPECT_EQ(openArea(gate, m.mesh(), 0, 0.5), 0);
     EXPECT_DOUBLE_EQ(openArea(gate, m.mesh(), 0, 0.25), 1);
     EXPECT_DOUBLE_EQ(openArea(gate, m.mesh(), 0, 0.75), 1);
@@ -217,8 +217,8 @@ TEST(slidingGate, StrengthZeroAndNoFileAreNoGate)
     slidingGate weak(m.mesh(), dict);
     slidingGate none(m.mesh());
 
-    EXPECT_FALSE(weak.active());
-    EXPECT_FALSE(none.active());
+    EXPECT_FALSE(weak.exists());
+    EXPECT_FALSE(none.exists());
     EXPECT_DOUBLE_EQ(openArea(weak, m.mesh(), 0, 0.5), 1);
     EXPECT_DOUBLE_EQ(openArea(none, m.mesh(), 0, 0.5), 1);
 }

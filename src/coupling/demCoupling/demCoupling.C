@@ -179,7 +179,7 @@ void Foam::demCoupling::startAlone() const
 
 bool Foam::demCoupling::due() const
 {
-    return active() && elapsed_ > (1 - 1e-6)*phase_->exchangeInterval();
+    return hasGrains() && elapsed_ > (1 - 1e-6)*phase_->exchangeInterval();
 }
 
 
@@ -206,7 +206,7 @@ void Foam::demCoupling::resetSums(const vectorField& U)
 
 void Foam::demCoupling::start(const fluidFields& fluid)
 {
-    writeActivePhysics(mesh_, "interphaseForces", forces_->active());
+    writeActivePhysics(mesh_, "interphaseForces", forces_->activePhysics());
     writeGrainPhysics();
     resetSums(fluid.U);
     elapsed_ = phase_->exchangeInterval();
@@ -362,7 +362,7 @@ void Foam::demCoupling::addFluidStep
     const scalar dt
 )
 {
-    if (!active())
+    if (!hasGrains())
     {
         return;
     }

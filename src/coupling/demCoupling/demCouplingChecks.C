@@ -34,7 +34,7 @@ void Foam::demCoupling::checkRegime()
 
 void Foam::demCoupling::checkSlowGrains(const fluidFields& fluid) const
 {
-    if (forces_->active().subDict("drag").get<word>("model") == "none")
+    if (forces_->activePhysics().subDict("drag").get<word>("model") == "none")
     {
         return;
     }
@@ -253,7 +253,7 @@ void Foam::demCoupling::checkTimes
     const bool adjustTimeStep
 ) const
 {
-    if (!active())
+    if (!hasGrains())
     {
         return;
     }

@@ -12,7 +12,7 @@
 
 bool Foam::demCoupling::writeCloud() const
 {
-    if (!active())
+    if (!hasGrains())
     {
         return true;
     }
@@ -57,7 +57,7 @@ bool Foam::demCoupling::writeCloud() const
 
 bool Foam::demCoupling::write()
 {
-    if (!active())
+    if (!hasGrains())
     {
         return true;
     }

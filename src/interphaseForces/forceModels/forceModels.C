@@ -74,15 +74,15 @@ Foam::forceModels::forceModels(const fvMesh& mesh, const dictionary& dict)
         dict.found("viscousForce") ? strength(dict, "viscousForce") : 0
     )
 {
-    active.add("drag", family(dict, "drag", "DiFelice"));
-    active.add("lift", family(dict, "lift", "none"));
-    active.add("virtualMass", family(dict, "virtualMass", "none"));
-    active.add("rotationalDrag", family(dict, "rotationalDrag", "Dennis"));
-    active.add("lubrication", lubrication.active());
-    active.add("history", history.inUse());
-    active.add("pressureGradient", settingsOf(pressureGradient));
-    active.add("excessPressure", settingsOf(excessPressure));
-    active.add("viscousForce", settingsOf(viscousForce));
+    activePhysics.add("drag", family(dict, "drag", "DiFelice"));
+    activePhysics.add("lift", family(dict, "lift", "none"));
+    activePhysics.add("virtualMass", family(dict, "virtualMass", "none"));
+    activePhysics.add("rotationalDrag", family(dict, "rotationalDrag", "Dennis"));
+    activePhysics.add("lubrication", lubrication.activePhysics());
+    activePhysics.add("history", history.activePhysics());
+    activePhysics.add("pressureGradient", settingsOf(pressureGradient));
+    activePhysics.add("excessPressure", settingsOf(excessPressure));
+    activePhysics.add("viscousForce", settingsOf(viscousForce));
 
     keywords::check(dict, names());
 }
@@ -145,6 +145,6 @@ void Foam::forceModels::liftForces
 bool Foam::forceModels::carriesFluid() const
 {
     return
-        active.subDict("virtualMass").get<word>("model") != "none"
-     || history.active();
+        activePhysics.subDict("virtualMass").get<word>("model") != "none"
+     || history.isOn();
 }

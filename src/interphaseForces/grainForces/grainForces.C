@@ -135,7 +135,7 @@ inline void Foam::grainForces::setForce
     const scalar K = N3*K1;
     scalar C = laws_.virtualMassCoefficient(state)*state.rho*volume;
     vector lift(lift1);
-    if (laws_.history.active())
+    if (laws_.history.isOn())
     {
         C += N3*laws_.history.mass(state);
         lift += laws_.history.force(grain.id, state);

@@ -100,7 +100,7 @@ void Foam::historyForce::makeExponentials(const scalar interval)
 
 bool Foam::historyForce::write(const fileName& folder) const
 {
-    if (!active())
+    if (!isOn())
     {
         return true;
     }
@@ -139,7 +139,7 @@ bool Foam::historyForce::write(const fileName& folder) const
 
 void Foam::historyForce::read(const fileName& folder)
 {
-    if (!active())
+    if (!isOn())
     {
         return;
     }
@@ -192,7 +192,7 @@ void Foam::historyForce::begin
 )
 {
     setInterval(interval);
-    if (active())
+    if (isOn())
     {
         follow(grains);
     }
@@ -202,7 +202,7 @@ void Foam::historyForce::begin
 Foam::scalar Foam::historyForce::mass(const grainState& state) const
 {
     return
-        active() ? strength_*factor(state)*4.0/3*std::sqrt(interval_) : 0;
+        isOn() ? strength_*factor(state)*4.0/3*std::sqrt(interval_) : 0;
 }
 
 
@@ -212,7 +212,7 @@ Foam::vector Foam::historyForce::force
     const grainState& state
 )
 {
-    if (!active())
+    if (!isOn())
     {
         return vector::zero;
     }
@@ -252,11 +252,11 @@ Foam::scalar Foam::historyForce::weight(const label intervalsAgo) const
 }
 
 
-Foam::dictionary Foam::historyForce::inUse() const
+Foam::dictionary Foam::historyForce::activePhysics() const
 {
     dictionary dict;
     dict.add("strength", strength_);
-    if (active())
+    if (isOn())
     {
         dict.add("window", window_);
     }

@@ -89,7 +89,7 @@ Foam::vector Foam::wallLubrication::force
 }
 
 
-Foam::dictionary Foam::wallLubrication::active() const
+Foam::dictionary Foam::wallLubrication::activePhysics() const
 {
     dictionary dict;
     dict.add("strength", strength_);
