@@ -71,7 +71,7 @@ int main(int argc, char *argv[])
     #include "createFields.H"
     #include "startCoupling.H"
 
-    fluidTimeStep fluidStep(runTime.deltaTValue());
+    fluidTimeStep fluidDeltaT(runTime.deltaTValue());
     #include "createOutput.H"
 
     Info<< "\nStarting time loop\n" << endl;

@@ -312,9 +312,9 @@ TEST(demCoupling, takesAWholeNumberOfFluidStepsInAnInterval)
     const demCoupling grains(w.box().mesh(), hydrostatics(g));
 
     EXPECT_TRUE(grains.due());
-    EXPECT_NEAR(grains.fluidStep(1), interval, 1e-12*interval);
-    EXPECT_NEAR(grains.fluidStep(interval), interval, 1e-12*interval);
-    EXPECT_NEAR(grains.fluidStep(0.3*interval), interval/4, 1e-12*interval);
+    EXPECT_NEAR(grains.stepInInterval(1), interval, 1e-12*interval);
+    EXPECT_NEAR(grains.stepInInterval(interval), interval, 1e-12*interval);
+    EXPECT_NEAR(grains.stepInInterval(0.3*interval), interval/4, 1e-12*interval);
 }
 
 

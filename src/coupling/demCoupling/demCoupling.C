@@ -183,12 +183,12 @@ bool Foam::demCoupling::due() const
 }
 
 
-Foam::scalar Foam::demCoupling::fluidStep(const scalar wanted) const
+Foam::scalar Foam::demCoupling::stepInInterval(const scalar longest) const
 {
     const scalar remaining =
         phase_->exchangeInterval() - (due() ? 0 : elapsed_);
 
-    return remaining/std::ceil(remaining/wanted*(1 - 1e-6));
+    return remaining/std::ceil(remaining/longest*(1 - 1e-6));
 }
 
 
