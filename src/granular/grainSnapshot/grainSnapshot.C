@@ -6,6 +6,7 @@
 
 #include "IOField.H"
 #include "Time.H"
+#include "exceptionGuard.H"
 #include "foamCompatibility.H"
 #include "functionObject.H"
 #include "granularPhase.H"
@@ -76,11 +77,11 @@ bool writeChecked(const regIOobject& io, const bool valid)
     );
 
     // OpenFOAM ends the program where a list cannot be written
-    const bool throwing = FatalIOError.throwExceptions();
     bool ok = os.good();
 
     try
     {
+        const exceptionGuard guard(FatalIOError);
         ok = ok && io.writeHeader(os) && io.writeData(os);
         IOobject::writeEndDivider(os);
         os.flush();
@@ -89,8 +90,6 @@ bool writeChecked(const regIOobject& io, const bool valid)
     {
         ok = false;
     }
-
-    FatalIOError.throwExceptions(throwing);
 
     return ok && os.stdStream().good();
 }

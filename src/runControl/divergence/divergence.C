@@ -4,6 +4,7 @@
 #include "divergence.H"
 
 #include "OStringStream.H"
+#include "exceptionGuard.H"
 #include "fpeGuard.H"
 
 #include <cmath>
@@ -153,15 +154,14 @@ void Foam::blameFlow
     const scalar most = unlikelySpeed(U, g);
     const scalar fastest =
         gMax((mag(phiU.primitiveField())/U.mesh().magSf().primitiveField())());
-    const bool throwing = FatalError.throwExceptions();
 
     try
     {
+        const exceptionGuard guard(FatalError);
         moving();
     }
     catch (const error& problem)
     {
-        FatalError.throwExceptions(throwing);
         OStringStream flow;
 
         if (most > 0 && fastest > most)
@@ -185,6 +185,4 @@ void Foam::blameFlow
             << problem.message().c_str() << flow.str().c_str()
             << exit(FatalError);
     }
-
-    FatalError.throwExceptions(throwing);
 }
