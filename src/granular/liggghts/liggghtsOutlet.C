@@ -5,6 +5,7 @@
 
 #include "OStringStream.H"
 #include "Time.H"
+#include "foamCompatibility.H"
 
 #include <liggghts/domain.h>
 #include <liggghts/fix.h>
@@ -315,7 +316,7 @@ Foam::label Foam::liggghtsOutlet::nVanished(const label gone)
     }
 
     // Until the master has ended the run
-    returnReduce(nWrong, maxOp<label>());
+    compatibility::barrier();
 
     return nInside;
 }

@@ -5,6 +5,7 @@
 
 #include "OStringStream.H"
 #include "exceptionGuard.H"
+#include "foamCompatibility.H"
 #include "fpeGuard.H"
 
 #include <cmath>
@@ -54,7 +55,7 @@ void Foam::stopDiverged
     lastLook();
 
     // No rank ends the others before they have written
-    returnReduce(true, andOp<bool>());
+    compatibility::barrier();
 
     if (fastest == fastestOfAll)
     {
@@ -73,7 +74,7 @@ void Foam::stopDiverged
             << " maxCo, maxAlphaCo) or more nCorrectors."
             << exit(FatalError);
     }
-    returnReduce(true, andOp<bool>());
+    compatibility::barrier();
 }
 
 

@@ -6,6 +6,7 @@
 #include "IFstream.H"
 #include "OFstream.H"
 #include "OSspecific.H"
+#include "foamCompatibility.H"
 #include "truncatedFiles.H"
 #include "timeOnDisk.H"
 
@@ -171,7 +172,7 @@ void Foam::timeFolders::putIncompleteAside(const argList& args)
     }
 
     // Before any rank looks for times
-    returnReduce(true, andOp<bool>());
+    compatibility::barrier();
 
     Info<< "Time " << latest << " was not written completely (killed, a"
         << " full disk, or a flow that diverged?): it is now " << latest << ".incomplete," << nl
@@ -203,7 +204,7 @@ void Foam::timeFolders::markWritten(const Time& runTime, const bool complete)
     // Everything must be on the disk before the mark is
     fileHandler().flush();
     // Collated files are the first rank's: the others wait for it
-    returnReduce(true, andOp<bool>());
+    compatibility::barrier();
     const fileName folder(timeOnDisk(runTime));
     bringToDisk(folder);
     bringOneToDisk(folder.path());
