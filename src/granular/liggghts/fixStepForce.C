@@ -4,7 +4,7 @@
 #include "fixStepForce.H"
 
 #include "liggghtsArrays.H"
-#include "liggghtsInstance.H"
+#include "liggghtsErrors.H"
 
 #include <liggghts/atom.h>
 
@@ -44,7 +44,7 @@ void Foam::fixStepForce::post_force(int vflag)
     grains.force = vector(Zero);
     grains.torque = vector(Zero);
 
-    liggghtsInstance::outside([&]() { forces_(grains); });
+    liggghtsErrors::outside([&]() { forces_(grains); });
 
     fixFluidForce::post_force(vflag);
 }

@@ -6,6 +6,7 @@
 #include "OSspecific.H"
 #include "Pstream.H"
 #include "fpeGuard.H"
+#include "liggghtsErrors.H"
 #include "neighbourLists.H"
 #include "vectorisedContacts.H"
 #include "vectorisedWall.H"
@@ -13,9 +14,7 @@
 #include <mpi.h>
 
 #include <climits>
-#include <cstdlib>
 #include <cstring>
-#include <iostream>
 #include <sstream>
 
 #include <liggghts/atom.h>
@@ -32,12 +31,6 @@
 
 namespace
 {
-    // What showWhyItStopped() needs after main() has ended
-    std::string logPath;
-    std::string busyWith;
-    std::string hint;
-    const Foam::screenTail* heard = nullptr;
-
     //- More memory than this for bins alone is a mistake in the size of the grains
     //  or of their box [GB]
     constexpr Foam::scalar mostGigabytesOfBins = 2;
@@ -45,170 +38,6 @@ namespace
     //- Skin of LIGGGHTS's own lists over the mean diameter. Of 0.2 to 0.6, 0.4 ran
     //  fastest while the surge moves
     constexpr Foam::scalar stockSkinOverDiameter = 0.4;
-
-    //- What to do about an error of LIGGGHTS that has these words. Beside others: the
-    //  hint that there is stays behind it, elsewhere it gives way
-    struct remedy
-    {
-        const char* words;
-        std::string whatToDo;
-        bool isBesideOthers;
-    };
-
-    const remedy remedies[] =
-    {
-        // It goes on with 'boundary m m m', which is not for this program
-        {
-            "esh elements have been lost",
-            "A surface of the script reaches out of the box of the grains,"
-            " at the start or where it moves to:\nenlarge the region that"
-            " create_box names (where read_data reads the grains of"
-            " preparePacking:\ndomain in system/packingDict).",
-            false
-        },
-        {
-            "Cannot open file",
-            "There is no such file. One of grains (constant/grains/data) is"
-            " written by\npreparePacking: run it before. ",
-            true
-        },
-        {
-            "Did not assign all atoms",
-            "A grain of the file lies outside of the box in its head (xlo"
-            " xhi ...). Both are in metres;\npreparePacking writes the"
-            " box that domain in system/packingDict has. ",
-            true
-        },
-        {
-            "Could not locate a fix/property",
-            "The contact model needs this property: give it by a 'fix ..."
-            " property/global' in the script\nof the physics, or choose"
-            " another model there.",
-            false
-        },
-        {
-            "Length not ",
-            "The property has too few values for the materials (atom types)"
-            " of the grains: one for each,\nn*n with peratomtypepair. Or a"
-            " packing, or materials in system/packingDict, names one too"
-            " many.",
-            false
-        },
-        {
-            "Too many atom sorting bins",
-            "The box of the grains, which holds the mesh, is too large for"
-            " grains of their size: mesh and\ngrains must both be in"
-            " metres (a mesh in millimetres: transformPoints).",
-            false
-        },
-        {
-            "Non-numeric positions",
-            "A force on a grain was no number: is the DEM step too long (timestep in"
-            " the script of the\nphysics), or do grains overlap at the start?",
-            false
-        },
-        {
-            "Neighbor list overflow",
-            "A grain has thousands of neighbours. A boulder in sand may have: write"
-            " 'neigh_modify one 20000\npage 400000' in the script of the physics. Else"
-            " check that diameters and places are both in\nmetres, and the distance"
-            " that the command 'neighbor' gives.",
-            false
-        }
-    };
-
-    //- Write what LIGGGHTS was doing and its last words, where it ended the
-    //  program
-    void showWhyItStopped()
-    {
-        if (busyWith.empty() || !heard)
-        {
-            return;
-        }
-
-        std::cerr
-            << "\n--> FOAM FATAL ERROR:\nLIGGGHTS stopped the run in: "
-            << busyWith << "\nIts last words (all are in " << logPath << "):\n";
-
-        for (const std::string& line : heard->lines())
-        {
-            std::cerr << "    " << line << '\n';
-
-            for (const remedy& r : remedies)
-            {
-                if (line.find(r.words) != std::string::npos)
-                {
-                    hint = r.whatToDo + (r.isBesideOthers ? hint : "");
-                }
-            }
-
-            // What LIGGGHTS 3.8 adds to an error is read from freed memory
-            if (line.compare(0, 5, "ERROR") == 0)
-            {
-                break;
-            }
-        }
-
-        std::cerr << hint << '\n' << std::flush;
-        busyWith.clear();
-    }
-
-    //- LIGGGHTS ends the program by exit() on all ranks, if all met the error
-    void showOnce()
-    {
-        if (Foam::Pstream::master())
-        {
-            showWhyItStopped();
-        }
-    }
-
-    //- Names what LIGGGHTS is doing while it does it
-    struct nowDoing
-    {
-        explicit nowDoing
-        (
-            const std::string& what,
-            const std::string& whatToDo = std::string()
-        )
-        {
-            busyWith = what;
-            hint = whatToDo;
-        }
-
-        ~nowDoing()
-        {
-            busyWith.clear();
-        }
-    };
-
-    //- Holds back std::cerr: a second LIGGGHTS in one program enters the same
-    //  contact models once more, and complains of each, though all is well
-    class quietErrors
-    {
-        std::streambuf* const shown_ = std::cerr.rdbuf(nullptr);
-
-        quietErrors(const quietErrors&) = delete;
-        void operator=(const quietErrors&) = delete;
-
-    public:
-
-        quietErrors() = default;
-
-        ~quietErrors()
-        {
-            std::cerr.rdbuf(shown_);
-        }
-    };
-}
-
-
-//- LIGGGHTS ends the program by MPI_Abort, if one rank alone met the error. MPI
-//  lets a program stand before its functions, under whose own names they start
-//  with PMPI
-extern "C" int MPI_Abort(MPI_Comm comm, int code)
-{
-    showWhyItStopped();
-    return PMPI_Abort(comm, code);
 }
 
 
@@ -220,11 +49,7 @@ Foam::liggghtsInstance::liggghtsInstance(const fileName& logFile)
     // A serial OpenFOAM run starts no MPI, and LIGGGHTS needs it
     UPstream::initNull();
 
-    static const bool registered = !std::atexit(showOnce);
-    (void)registered;
-
-    logPath = logFile;
-    heard = &screenTail_;
+    liggghtsErrors::open(screenTail_, logFile);
 
     std::string log(logFile);
     char name[] = "liggghts", logFlag[] = "-log", screenFlag[] = "-screen";
@@ -233,9 +58,9 @@ Foam::liggghtsInstance::liggghtsInstance(const fileName& logFile)
     char* args[] = {name, logFlag, &log[0], screenFlag, none};
 
     const fpeGuard guard;
-    const nowDoing now("starting up");
+    const liggghtsErrors::activity now("starting up");
 
-    const quietErrors quiet;
+    const liggghtsErrors::quietErrors quiet;
 
     void* opened = nullptr;
     lammps_open(5, args, MPI_COMM_WORLD, &opened);
@@ -255,7 +80,7 @@ Foam::liggghtsInstance::~liggghtsInstance()
 {
     const fpeGuard guard;
     lammps_close(lmp_);
-    heard = nullptr;
+    liggghtsErrors::close();
 }
 
 
@@ -345,7 +170,7 @@ std::string Foam::liggghtsInstance::whyContactsAreStock() const
 void Foam::liggghtsInstance::command(const std::string& line)
 {
     const fpeGuard guard;
-    const nowDoing now("the command '" + line + "'");
+    const liggghtsErrors::activity now("the command '" + line + "'");
     lammps_command(lmp_, line.c_str());
 }
 
@@ -357,7 +182,7 @@ void Foam::liggghtsInstance::script
 )
 {
     const fpeGuard guard;
-    const nowDoing now
+    const liggghtsErrors::activity now
     (
         "the script " + file,
         "Correct the last command above in that script."
@@ -373,7 +198,7 @@ void Foam::liggghtsInstance::script
 void Foam::liggghtsInstance::setup()
 {
     const fpeGuard guard;
-    const nowDoing now("setting up");
+    const liggghtsErrors::activity now("setting up");
 
     LAMMPS_NS::Update& update = *lmp_->update;
 
@@ -386,7 +211,7 @@ void Foam::liggghtsInstance::setup()
     update.endstep = update.laststep;
 
     lmp_->init();
-    outside([this]() { checkBins(); });
+    liggghtsErrors::outside([this]() { checkBins(); });
 
     // Without a grain nothing has a size, and there are no bins to sort grains into
     // until a setup finds one
@@ -470,16 +295,7 @@ void Foam::liggghtsInstance::checkBins() const
 void Foam::liggghtsInstance::run(const label n)
 {
     const fpeGuard guard;
-    const nowDoing now("the DEM steps");
+    const liggghtsErrors::activity now("the DEM steps");
 
     lmp_->update->integrate->run(n);
-}
-
-
-void Foam::liggghtsInstance::outside(const std::function<void()>& f)
-{
-    const std::string what(std::move(busyWith));
-    busyWith.clear();
-    f();
-    busyWith = what;
 }
