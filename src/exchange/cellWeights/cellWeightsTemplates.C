@@ -48,21 +48,6 @@ inline T Foam::cellWeights::mean
 
 
 template<class T>
-Foam::Field<T> Foam::cellWeights::gather(const UList<T>& cells) const
-{
-    const List<T> values(reached(List<T>(cells)));
-    Field<T> result(nGrains());
-
-    forAll(result, grain)
-    {
-        result[grain] = mean(values, grain);
-    }
-
-    return result;
-}
-
-
-template<class T>
 Foam::List<T> Foam::cellWeights::noSums() const
 {
     label nSlots = nCells_;
@@ -118,19 +103,4 @@ void Foam::cellWeights::bringHome(List<T>& sums) const
     }
 
     sums.setSize(nCells_);
-}
-
-
-template<class T>
-Foam::Field<T> Foam::cellWeights::spread(const UList<T>& grains) const
-{
-    Field<T> sums(noSums<T>());
-
-    forAll(grains, grain)
-    {
-        add(sums, grain, grains[grain]);
-    }
-    bringHome(sums);
-
-    return sums;
 }
