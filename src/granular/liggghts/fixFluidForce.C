@@ -3,9 +3,10 @@
 
 #include "fixFluidForce.H"
 
+#include "vectorProperty.H"
+
 #include <liggghts/atom.h>
 #include <liggghts/lammps.h>
-#include <liggghts/modify.h>
 
 const char* const Foam::fixFluidForce::styleName = "interDEMFoam/fluidForce";
 
@@ -38,27 +39,10 @@ Foam::fixFluidForce::fixFluidForce
 {}
 
 
-LAMMPS_NS::FixPropertyAtom* Foam::fixFluidForce::addVectorProperty
-(
-    const char* name
-)
-{
-    // id, group, style, variable, shape, in restarts, to ghosts, from ghosts,
-    // three initial values
-    const char* args[] =
-    {
-        name, "all", "property/atom", name, "vector", "yes", "no", "no",
-        "0.", "0.", "0."
-    };
-
-    return modify->add_fix_property_atom(11, const_cast<char**>(args), style);
-}
-
-
 void Foam::fixFluidForce::post_create()
 {
-    force_ = addVectorProperty(forceName_);
-    torque_ = addVectorProperty(torqueName_);
+    force_ = addVectorProperty(*modify, forceName_, "0.");
+    torque_ = addVectorProperty(*modify, torqueName_, "0.");
 }
 
 

@@ -4,46 +4,27 @@
 #include "lastForces.H"
 
 #include "liggghtsInstance.H"
+#include "vectorProperty.H"
 
 #include <algorithm>
 
 #include <liggghts/atom.h>
-#include <liggghts/fix_property_atom.h>
 #include <liggghts/lammps.h>
-#include <liggghts/modify.h>
 
 namespace
 {
     //- Stands where none was kept [N]
     constexpr double none = 1e300;
-
-    LAMMPS_NS::FixPropertyAtom* vectorProperty
-    (
-        Foam::liggghtsInstance& liggghts,
-        const std::string& name
-    )
-    {
-        // In states, not to ghosts and from ghosts, three initial values
-        liggghts.command
-        (
-            "fix " + name + " all property/atom " + name
-          + " vector yes no no 1e300 1e300 1e300"
-        );
-        LAMMPS_NS::Modify& modify = *liggghts->modify;
-
-        return dynamic_cast<LAMMPS_NS::FixPropertyAtom*>
-        (
-            modify.fix[modify.find_fix(name.c_str())]
-        );
-    }
+    const char* const noneText = "1e300";
 }
 
 
 void Foam::lastForces::add(liggghtsInstance& liggghts)
 {
     liggghts_ = &liggghts;
-    force_ = vectorProperty(liggghts, "interDEMFoamLastForce");
-    torque_ = vectorProperty(liggghts, "interDEMFoamLastTorque");
+    LAMMPS_NS::Modify& modify = *liggghts->modify;
+    force_ = addVectorProperty(modify, "interDEMFoamLastForce", noneText);
+    torque_ = addVectorProperty(modify, "interDEMFoamLastTorque", noneText);
 }
 
 
