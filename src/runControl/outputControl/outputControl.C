@@ -62,9 +62,8 @@ void Foam::outputControl::endStep()
 
     runTime_.writeWhere(atOneTime);
     writeDue_ = runTime_.writeTime();
-    stopping_ = atOneTime && stop_.requested();
 
-    if (stopping_)
+    if (atOneTime && stop_.requested())
     {
         Info<< "Stop requested: writing, then ending" << endl;
         runTime_.setEndTime(runTime_.value());
@@ -97,7 +96,7 @@ void Foam::outputControl::end()
     else if
     (
         runTime_.timeIndex() > runTime_.startTimeIndex()
-     && (writeDue_ || stopping_ || actions_.writeEnd)
+     && (writeDue_ || actions_.writeEnd || stop_.requested())
     )
     {
         write();
