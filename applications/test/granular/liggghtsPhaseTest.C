@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Grains of LIGGGHTS as a phase: damping, its DEM step, its bins.
+
+#include "boxOfWater.H"
+#include "grainSnapshot.H"
+#include "granularProperties.H"
+#include "terminalOutput.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+
+
+TEST(localDamping, isNoContactForceOfAGrainThatFalls)
+{
+    boxOfWater w("LIGGGHTS { localDamping 0.7; }");
+    const granularProperties dict(w.box().mesh());
+    autoPtr<granularPhase> grains(dict.makePhase(w.box().mesh(), g));
+    grains->advance();
+    grains->advance();
+
+    const scalar weight = grains->mass()[0]*mag(g);
+    EXPECT_LT(grains->velocity()[0].z(), 0);
+    EXPECT_NEAR(grains->totalForce()[0].z(), -0.3*weight, 1e-9*weight);
+    for (const vector& force : grains->snapshot()->contactForce)
+    {
+        EXPECT_LT(mag(force), 1e-9*weight);
+    }
+}
+
+
+TEST(liggghtsPhase, refusesADEMStepThatChangesMeanwhile)
+{
+    boxOfWater w;
+    w.addPhysics("fix own all dt/reset 10 1e-6 2e-5 1e-4 units box");
+    const std::string output
+    (
+        refusal([&]{ demCoupling(w.box().mesh(), hydrostatics(g)); })
+    );
+
+    expectHolds(output, "constant/grains/physics");
+    expectHolds(output, "changes the DEM step");
+    expectHolds(output, "(fix own)");
+    expectHolds(output, "Take the fix out");
+}
+
+
+// A box of 1 m with bins of 0.1 mm
+TEST(liggghtsPhase, binsAreAsManyAsTheGrainsWhateverTheirBox)
+{
+    boxOfWater w;
+    w.placeGrains(0.5, 1e-4);
+    w.addPhysics("neighbor 1e-4 bin\ntimestep 1e-7");
+    demCoupling grains(w.box().mesh(), hydrostatics(g));
+    grains.start(w.water());
+    exchangeOnce(grains, w);
+    EXPECT_TRUE(grains.write());
+}
+
+
+TEST(liggghtsPhase, farTooManyBinsOfLiggghtsAreAnErrorBeforeTheyTakeTheMemory)
+{
+    boxOfWater w("LIGGGHTS { contacts stock; }");
+    w.placeGrains(0.5, 1e-4);
+    w.addPhysics("neighbor 1e-4 bin\ntimestep 1e-7");
+    const std::string output
+    (
+        refusal([&]{ demCoupling(w.box().mesh(), hydrostatics(g)); })
+    );
+
+    expectHolds(output, "1e+12 bins of 0.0001 m");
+    expectHolds(output, "8000 GB of memory");
+    expectHolds(output, "make the box");
+}
