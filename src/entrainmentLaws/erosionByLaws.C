@@ -49,13 +49,9 @@ Foam::scalar Foam::erosionByLaws::deeper
 }
 
 
-Foam::List<Foam::erosionByLaws::erosion> Foam::erosionByLaws::of
-(
-    const sectionSeries& s
-) const
+void Foam::erosionByLaws::checkSigns(const sectionSeries& s)
 {
     const label n = s.t.size();
-    DynamicList<erosion> all;
 
     if (n && average(s.sigma) < 0)
     {
@@ -77,7 +73,50 @@ Foam::List<Foam::erosionByLaws::erosion> Foam::erosionByLaws::of
             << "    The velocity of the flow has to be positive: if it was measured"
             << " against it, write factor -1 at velocity." << exit(FatalError);
     }
+}
 
+
+void Foam::erosionByLaws::integrate(erosion& e, const sectionSeries& s) const
+{
+    const label n = s.t.size();
+    e.byStatic.setSize(n, Zero);
+    e.byDynamic.setSize(n, Zero);
+    e.byScouring.setSize(n, Zero);
+    e.scouringRate = scalarList(n);
+
+    for (label i = 0; i < n; ++i)
+    {
+        e.scouringRate[i] = scouring_.rate(e.tau[i]);
+
+        if (i)
+        {
+            // What the state at the begin of a step erodes during it
+            const label j = i - 1;
+            const scalar dt = s.t[i] - s.t[j];
+            e.byStatic[i] = deeper
+            (
+                e.byStatic[j], laws_.staticDepth(e.tau[j], s.sigma[j])
+            );
+            e.byDynamic[i] = deeper
+            (
+                e.byDynamic[j],
+                dt*laws_.dynamicRate(e.tau[j], s.sigma[j], s.v[j])
+            );
+            e.byScouring[i] = deeper(e.byScouring[j], dt*e.scouringRate[j]);
+        }
+    }
+}
+
+
+Foam::List<Foam::erosionByLaws::erosion> Foam::erosionByLaws::of
+(
+    const sectionSeries& s
+) const
+{
+    checkSigns(s);
+
+    const label n = s.t.size();
+    DynamicList<erosion> all;
     erosion Coulomb{"Coulomb", scalarList(n), {}, {}, {}, {}};
     erosion Voellmy{"Voellmy", scalarList(n), {}, {}, {}, {}};
     for (label i = 0; i < n; ++i)
@@ -95,33 +134,7 @@ Foam::List<Foam::erosionByLaws::erosion> Foam::erosionByLaws::of
 
     for (erosion& e : all)
     {
-        e.byStatic.setSize(n, Zero);
-        e.byDynamic.setSize(n, Zero);
-        e.byScouring.setSize(n, Zero);
-        e.scouringRate = scalarList(n);
-
-        for (label i = 0; i < n; ++i)
-        {
-            e.scouringRate[i] = scouring_.rate(e.tau[i]);
-
-            if (i)
-            {
-                // What the state at the begin of a step erodes during it
-                const label j = i - 1;
-                const scalar dt = s.t[i] - s.t[j];
-                e.byStatic[i] = deeper
-                (
-                    e.byStatic[j], laws_.staticDepth(e.tau[j], s.sigma[j])
-                );
-                e.byDynamic[i] = deeper
-                (
-                    e.byDynamic[j],
-                    dt*laws_.dynamicRate(e.tau[j], s.sigma[j], s.v[j])
-                );
-                e.byScouring[i] =
-                    deeper(e.byScouring[j], dt*e.scouringRate[j]);
-            }
-        }
+        integrate(e, s);
 
         if (s.depth.size())
         {

@@ -201,6 +201,51 @@ scalar levelOf
 }
 
 
+//- Level [m] up to which a box holds a mass of water between grains: it depends on
+//  the pores, and these on the surface of the water. pores is set
+scalar levelAmongGrains
+(
+    const scalar mass,
+    const scalar density,
+    const fvMesh& mesh,
+    const boundBox& box,
+    const vector& g,
+    const dictionary& settings,
+    scalarField& pores
+)
+{
+    poresOfGrains grains(mesh, g);
+    pores = grains.volumes(scalarField(mesh.nCells(), 1));
+    scalar level = levelOf(mass, density, mesh, box, pores, settings);
+    scalar change = GREAT;
+
+    for (label n = 0; n < 100 && change > 1e-12*mesh.bounds().mag(); ++n)
+    {
+        pores = grains.volumes(shares(mesh, box, level));
+        const scalar next = levelOf(mass, density, mesh, box, pores, settings);
+        change = mag(next - level);
+        level = next;
+    }
+
+    return level;
+}
+
+
+//- Warn where water stands beside the box
+void warnOfWaterBeside(const fvMesh& mesh, const boundBox& box, const scalar level)
+{
+    const scalar beside = besidePlan(mesh, box, level);
+    if (beside > 0)
+    {
+        WarningInFunction
+            << "Sides of the box " << box << " cut cells of the mesh, which are"
+            << " filled by their centre: the water stands up to " << beside
+            << " m beside the box." << nl
+            << "    Let cells end at its sides." << endl;
+    }
+}
+
+
 int main(int argc, char *argv[])
 {
     Foam::answerVersion(argc, argv);
@@ -253,32 +298,16 @@ int main(int argc, char *argv[])
         mesh
     );
 
-    // The level depends on the pores, and these on the surface of the water
-    poresOfGrains grains(mesh, g.value());
-    scalarField pores(grains.volumes(scalarField(mesh.nCells(), 1)));
-    scalar level = levelOf(mass, density, mesh, box, pores, settings);
-    scalar change = GREAT;
-
-    for (label n = 0; n < 100 && change > 1e-12*mesh.bounds().mag(); ++n)
-    {
-        pores = grains.volumes(shares(mesh, box, level));
-        const scalar next = levelOf(mass, density, mesh, box, pores, settings);
-        change = mag(next - level);
-        level = next;
-    }
+    scalarField pores;
+    const scalar level = levelAmongGrains
+    (
+        mass, density, mesh, box, g.value(), settings, pores
+    );
 
     alpha.primitiveFieldRef() = shares(mesh, box, level);
     alpha.write();
 
-    const scalar beside = besidePlan(mesh, box, level);
-    if (beside > 0)
-    {
-        WarningInFunction
-            << "Sides of the box " << box << " cut cells of the mesh, which are"
-            << " filled by their centre: the water stands up to " << beside
-            << " m beside the box." << nl
-            << "    Let cells end at its sides." << endl;
-    }
+    warnOfWaterBeside(mesh, box, level);
     Info<< "Water: " << density*sum(pores*alpha.primitiveField())
         << " kg, level at z = " << level << " m; top of the packing at "
         << box.max().z() << " m" << nl << endl;

@@ -44,16 +44,22 @@ Foam::cellBins::cellBins(const sphereOverlap& overlap)
     }
 
     const List<boundBox> bounds(cellBounds(mesh));
+    setNumbers(bounds);
+    fill(bounds);
+}
 
+
+void Foam::cellBins::setNumbers(const UList<boundBox>& bounds)
+{
     vector size(Zero);
     for (const boundBox& cell : bounds)
     {
-        size += cell.span()/mesh.nCells();
+        size += cell.span()/bounds.size();
     }
 
     // Where most cells are small ones: no more than two bins for a cell
     const scalar nBins = box_.volume()/(cmptProduct(size) + VSMALL);
-    size *= cbrt(max(nBins/(2*mesh.nCells()), scalar(1)));
+    size *= cbrt(max(nBins/(2*bounds.size()), scalar(1)));
 
     for (direction k = 0; k < 3; ++k)
     {
@@ -63,7 +69,11 @@ Foam::cellBins::cellBins(const sphereOverlap& overlap)
         n_[k] = label(min(max(n, scalar(1)), scalar(1000)));
         perLength_[k] = n_[k]/span;
     }
+}
 
+
+void Foam::cellBins::fill(const UList<boundBox>& bounds)
+{
     labelList count(n_.x()*n_.y()*n_.z(), Zero);
 
     // Twice over the cells: first how many there are in each bin, then which

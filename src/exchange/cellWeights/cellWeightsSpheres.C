@@ -76,6 +76,38 @@ void Foam::cellWeights::reach
 }
 
 
+void Foam::cellWeights::flood(const sphere& s, DynamicList<part>& answer)
+{
+    auto& pieces = pieces_(labelPair(s.homeRank, s.grain));
+    const label first = pieces.size();
+
+    // It may come through several faces
+    if (sphereOverlap::find(pieces, s.cell, s.centre, s.radius) != first)
+    {
+        return;
+    }
+
+    exits_.clear();
+    pieces.append(sphereOverlap::piece{s.cell, s.centre, 0});
+    overlap_.flood(s.radius, first, pieces, exits_);
+    reach(s.radius, s.homeRank, s.grain);
+
+    for (label i = first; i < pieces.size(); ++i)
+    {
+        answer.append
+        (
+            part
+            {
+                s.grain,
+                Pstream::myProcNo(),
+                pieces[i].cell,
+                pieces[i].volume/volumeOf(s.radius)
+            }
+        );
+    }
+}
+
+
 Foam::DynamicList<Foam::cellWeights::part> Foam::cellWeights::followSpheres()
 {
     DynamicList<part> home;
@@ -100,37 +132,7 @@ Foam::DynamicList<Foam::cellWeights::part> Foam::cellWeights::followSpheres()
         {
             for (const sphere& s : from)
             {
-                auto& pieces = pieces_(labelPair(s.homeRank, s.grain));
-                const label first = pieces.size();
-
-                // It may come through several faces
-                if
-                (
-                    sphereOverlap::find(pieces, s.cell, s.centre, s.radius)
-                 != first
-                )
-                {
-                    continue;
-                }
-
-                exits_.clear();
-                pieces.append(sphereOverlap::piece{s.cell, s.centre, 0});
-                overlap_.flood(s.radius, first, pieces, exits_);
-                reach(s.radius, s.homeRank, s.grain);
-
-                for (label i = first; i < pieces.size(); ++i)
-                {
-                    answers[s.homeRank].append
-                    (
-                        part
-                        {
-                            s.grain,
-                            Pstream::myProcNo(),
-                            pieces[i].cell,
-                            pieces[i].volume/volumeOf(s.radius)
-                        }
-                    );
-                }
+                flood(s, answers[s.homeRank]);
             }
         }
 

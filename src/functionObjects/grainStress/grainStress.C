@@ -318,22 +318,15 @@ Foam::scalar Foam::functionObjects::grainStress::surface
 }
 
 
-Foam::scalarList Foam::functionObjects::grainStress::values
+Foam::functionObjects::grainStress::sums
+Foam::functionObjects::grainStress::sumsOver
 (
-    const label region
+    const label region,
+    const vector& down
 ) const
 {
     const grainSnapshot& all = grains();
-    scalar n = 0;
-    scalar solid = 0;
-    scalar mass = 0;
-    vector momentum(Zero);
-    symmTensor motion(Zero);
-    symmTensor contacts(Zero);
-
-    // Where a region follows the surface, heights are counted from there
-    const scalar height = follow_ ? surface(region) : 0;
-    const vector down(height*frame_.normal());
+    sums s;
 
     for (const label i : ofTypes(all, types_))
     {
@@ -342,27 +335,39 @@ Foam::scalarList Foam::functionObjects::grainStress::values
 
         if (part > 0)
         {
-            n += part;
-            solid += part*grainVolume(region, all.d[i]);
-            mass += part*all.mass[i];
-            momentum += part*all.mass[i]*all.U[i];
-            motion += part*all.mass[i]*sqr(all.U[i]);
-            contacts += part*all.stressMoment[i];
+            s.n += part;
+            s.solid += part*grainVolume(region, all.d[i]);
+            s.mass += part*all.mass[i];
+            s.momentum += part*all.mass[i]*all.U[i];
+            s.motion += part*all.mass[i]*sqr(all.U[i]);
+            s.contacts += part*all.stressMoment[i];
         }
     }
 
-    reduce(n, sumOp<scalar>());
-    reduce(solid, sumOp<scalar>());
-    reduce(mass, sumOp<scalar>());
-    reduce(momentum, sumOp<vector>());
-    reduce(motion, sumOp<symmTensor>());
-    reduce(contacts, sumOp<symmTensor>());
+    reduce(s.n, sumOp<scalar>());
+    reduce(s.solid, sumOp<scalar>());
+    reduce(s.mass, sumOp<scalar>());
+    reduce(s.momentum, sumOp<vector>());
+    reduce(s.motion, sumOp<symmTensor>());
+    reduce(s.contacts, sumOp<symmTensor>());
 
-    symmTensor stress(contacts/volume(region));
+    return s;
+}
 
-    if (kinetic_ && mass > 0)
+
+Foam::scalarList Foam::functionObjects::grainStress::values
+(
+    const label region
+) const
+{
+    // Where a region follows the surface, heights are counted from there
+    const scalar height = follow_ ? surface(region) : 0;
+    const sums s(sumsOver(region, height*frame_.normal()));
+    symmTensor stress(s.contacts/volume(region));
+
+    if (kinetic_ && s.mass > 0)
     {
-        stress -= (motion - sqr(momentum)/mass)/volume(region);
+        stress -= (s.motion - sqr(s.momentum)/s.mass)/volume(region);
     }
 
     if (turned_)
@@ -375,7 +380,7 @@ Foam::scalarList Foam::functionObjects::grainStress::values
 
     scalarList result
     ({
-        n, solid/volume(region),
+        s.n, s.solid/volume(region),
         stress.xx(), stress.xy(), stress.xz(),
         stress.yy(), stress.yz(), stress.zz(),
         -tr(stress)/3, sqrt(1.5)*mag(dev(stress))

@@ -101,56 +101,66 @@ void Foam::functionObjects::porePressureProbes::findPlaces
             << exit(FatalIOError);
     }
 
-    const fvPatch& patch = mesh_.boundary()[patchi];
     columns_.clear();
     discs_.clear();
 
     forAll(probes_, i)
     {
-        discs_.append(new patchDisc(patch, probes_[i], radius_));
+        addProbe(i, mesh_.boundary()[patchi], dict);
+    }
+}
 
-        if (discs_[i].distance() > radius_ || discs_[i].area() <= 0)
-        {
-            FatalIOErrorInFunction(dict)
-                << "Probe " << i << " at " << probes_[i] << " lies "
-                << discs_[i].distance() << " m from patch " << patchName_
-                << ": put it on the patch, or make radius (" << radius_
-                << " m) larger." << exit(FatalIOError);
-        }
 
-        if (level_ == levelType::layer && perMetre(i) <= 0)
-        {
-            FatalIOErrorInFunction(dict)
-                << "hydrostatic layer in " << dict.name() << " is for a base that"
-                << " the layer lies on, and gravity does not press what is at"
-                << " probe " << i << ", " << probes_[i] << ", against patch "
-                << patchName_ << "." << nl
-                << "    Correct constant/g or the patch, or set hydrostatic normal."
-                << exit(FatalIOError);
-        }
+void Foam::functionObjects::porePressureProbes::addProbe
+(
+    const label i,
+    const fvPatch& patch,
+    const dictionary& dict
+)
+{
+    discs_.append(new patchDisc(patch, probes_[i], radius_));
 
-        const vector up
-        (
-            level_ == levelType::vertical ? -gravity() : -discs_[i].normal()
-        );
+    if (discs_[i].distance() > radius_ || discs_[i].area() <= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Probe " << i << " at " << probes_[i] << " lies "
+            << discs_[i].distance() << " m from patch " << patchName_
+            << ": put it on the patch, or make radius (" << radius_
+            << " m) larger." << exit(FatalIOError);
+    }
 
-        // A probe on the edge of cells would lie in several: the column begins in
-        // the one whose pressure is taken
-        columns_.append(new column(mesh_, discs_[i].inside(), up, probes_[i]));
+    if (level_ == levelType::layer && perMetre(i) <= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "hydrostatic layer in " << dict.name() << " is for a base that"
+            << " the layer lies on, and gravity does not press what is at"
+            << " probe " << i << ", " << probes_[i] << ", against patch "
+            << patchName_ << "." << nl
+            << "    Correct constant/g or the patch, or set hydrostatic normal."
+            << exit(FatalIOError);
+    }
 
-        if
-        (
-            returnReduce(columns_[i].length(), sumOp<scalar>())
-         <= 1e-3*discs_[i].cellSide()
-        )
-        {
-            FatalIOErrorInFunction(dict)
-                << "No cell lies above probe " << i << " at " << probes_[i]
-                << ", as beneath a wall that overhangs." << nl
-                << "    Is gravity " << gravity() << " right for this mesh? Else"
-                << " move the probe, or give hydrostatic normal."
-                << exit(FatalIOError);
-        }
+    const vector up
+    (
+        level_ == levelType::vertical ? -gravity() : -discs_[i].normal()
+    );
+
+    // A probe on the edge of cells would lie in several: the column begins in
+    // the one whose pressure is taken
+    columns_.append(new column(mesh_, discs_[i].inside(), up, probes_[i]));
+
+    if
+    (
+        returnReduce(columns_[i].length(), sumOp<scalar>())
+     <= 1e-3*discs_[i].cellSide()
+    )
+    {
+        FatalIOErrorInFunction(dict)
+            << "No cell lies above probe " << i << " at " << probes_[i]
+            << ", as beneath a wall that overhangs." << nl
+            << "    Is gravity " << gravity() << " right for this mesh? Else"
+            << " move the probe, or give hydrostatic normal."
+            << exit(FatalIOError);
     }
 }
 

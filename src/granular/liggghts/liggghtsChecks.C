@@ -21,6 +21,8 @@
 
 namespace
 {
+    using namespace Foam;
+
     //- A fix that a script may not have: what it does, why not, what to do
     struct conflictingFix
     {
@@ -56,6 +58,55 @@ namespace
             " 'timestep'."
         }
     };
+
+
+    //- How deep two grains overlap
+    struct overlap
+    {
+        //- Over the smaller radius [-]
+        scalar share = 0;
+
+        //- Numbers of the grains
+        label ids[2] = {0, 0};
+
+        //- Place of the first [m]
+        point at = Zero;
+    };
+
+    //- The deepest of this rank's list of neighbours
+    overlap deepestOverlap
+    (
+        const LAMMPS_NS::Atom& atom,
+        const LAMMPS_NS::NeighList& list
+    )
+    {
+        const auto place = [&](const label i)
+        {
+            return point(atom.x[i][0], atom.x[i][1], atom.x[i][2]);
+        };
+        overlap deepest;
+
+        for (label ii = 0; ii < list.inum; ++ii)
+        {
+            const label i = list.ilist[ii];
+
+            for (label jj = 0; jj < list.numneigh[i]; ++jj)
+            {
+                const label j = list.firstneigh[i][jj] & NEIGHMASK;
+                const point p(place(i));
+                const scalar share =
+                    (atom.radius[i] + atom.radius[j] - mag(p - place(j)))
+                   /min(atom.radius[i], atom.radius[j]);
+
+                if (share > deepest.share)
+                {
+                    deepest = overlap{share, {atom.tag[i], atom.tag[j]}, p};
+                }
+            }
+        }
+
+        return deepest;
+    }
 }
 
 
@@ -198,6 +249,7 @@ void Foam::liggghtsChecks::noConflictingFixes
 }
 
 
+
 void Foam::liggghtsChecks::overlaps
 (
     liggghtsInstance& liggghts,
@@ -211,42 +263,15 @@ void Foam::liggghtsChecks::overlaps
         return;
     }
 
-    const LAMMPS_NS::Atom& atom = *liggghts->atom;
-    const LAMMPS_NS::NeighList& list = *pair->list;
-    const auto place = [&](const label i)
-    {
-        return point(atom.x[i][0], atom.x[i][1], atom.x[i][2]);
-    };
+    const overlap mine(deepestOverlap(*liggghts->atom, *pair->list));
 
-    // Overlap over the smaller radius, two numbers of grains, place of one
+    // Over the smaller radius, two numbers of grains, place of one
     List<FixedList<scalar, 6>> deepest(Pstream::nProcs());
-    FixedList<scalar, 6>& mine = deepest[Pstream::myProcNo()];
-    mine = scalar(0);
-
-    for (label ii = 0; ii < list.inum; ++ii)
-    {
-        const label i = list.ilist[ii];
-
-        for (label jj = 0; jj < list.numneigh[i]; ++jj)
-        {
-            const label j = list.firstneigh[i][jj] & NEIGHMASK;
-            const point p(place(i));
-            const scalar share =
-                (atom.radius[i] + atom.radius[j] - mag(p - place(j)))
-               /min(atom.radius[i], atom.radius[j]);
-
-            if (share > mine[0])
-            {
-                mine[0] = share;
-                mine[1] = atom.tag[i];
-                mine[2] = atom.tag[j];
-                mine[3] = p.x();
-                mine[4] = p.y();
-                mine[5] = p.z();
-            }
-        }
-    }
-
+    deepest[Pstream::myProcNo()] = FixedList<scalar, 6>
+    ({
+        mine.share, scalar(mine.ids[0]), scalar(mine.ids[1]),
+        mine.at.x(), mine.at.y(), mine.at.z()
+    });
     Pstream::gatherList(deepest);
     FixedList<scalar, 6> worst(deepest[0]);
     for (const FixedList<scalar, 6>& there : deepest)

@@ -79,6 +79,47 @@ namespace
         reduce(found.density, minOp<scalar>());
         return found;
     }
+
+
+    //- Stop where the step [s] is above the shortest Rayleigh time, warn where it is
+    //  near
+    void compare(const scalar dt, const extremes& found, const fileName& script)
+    {
+        const scalar shortest = found.rayleighTime;
+        const scalar fraction = dt/shortest;
+        const string units
+        (
+            found.density < 100
+          ? "\n    A density is " + Foam::name(found.density)
+              + " kg/m3: was it given in g/cm3?"
+          : ""
+        );
+
+        if (fraction > 1)
+        {
+            FatalErrorInFunction
+                << "The DEM step of " << dt << " s in " << script << " is "
+                << fraction << " times the Rayleigh time of " << shortest
+                << " s: contacts would be stepped over." << nl
+                << "    Set timestep to at most " << 0.2*shortest
+                << " s, or lower Young's modulus." << units.c_str()
+                << exit(FatalError);
+        }
+
+        Info<< "    DEM step " << dt << " s = " << 100*fraction
+            << " % of the Rayleigh time" << endl;
+
+        // With a third a bed on a slope eroded up to five times as deep as with a
+        // fifth and with a tenth, which agree (validation/papers/erosionStudy)
+        if (fraction > 0.25)
+        {
+            WarningInFunction
+                << "The DEM step is " << 100*fraction << " % of the Rayleigh time:"
+                << " beds may creep, and erode several times too deep." << nl
+                << "    Set timestep to at most " << 0.2*shortest << " s, 20 %"
+                << units.c_str() << endl;
+        }
+    }
 }
 
 
@@ -166,46 +207,12 @@ void Foam::liggghtsChecks::timeStep
     }
 
     const extremes found(extremesOf(liggghts, *young, *poisson));
-    const scalar shortest = found.rayleighTime;
-
-    if (shortest == GREAT)
+    if (found.rayleighTime == GREAT)
     {
         Info<< "    DEM step " << update.dt << " s, not compared with the"
             << " Rayleigh time: there is no grain, and none to come" << endl;
         return;
     }
 
-    const string units
-    (
-        found.density < 100
-      ? "\n    A density is " + Foam::name(found.density)
-          + " kg/m3: was it given in g/cm3?"
-      : ""
-    );
-
-    const scalar fraction = update.dt/shortest;
-
-    if (fraction > 1)
-    {
-        FatalErrorInFunction
-            << "The DEM step of " << update.dt << " s in " << script << " is "
-            << fraction << " times the Rayleigh time of " << shortest
-            << " s: contacts would be stepped over." << nl
-            << "    Set timestep to at most " << 0.2*shortest
-            << " s, or lower Young's modulus." << units.c_str() << exit(FatalError);
-    }
-
-    Info<< "    DEM step " << update.dt << " s = " << 100*fraction
-        << " % of the Rayleigh time" << endl;
-
-    // With a third a bed on a slope eroded up to five times as deep as with a
-    // fifth and with a tenth, which agree (validation/papers/erosionStudy)
-    if (fraction > 0.25)
-    {
-        WarningInFunction
-            << "The DEM step is " << 100*fraction << " % of the Rayleigh time:"
-            << " beds may creep, and erode several times too deep." << nl
-            << "    Set timestep to at most " << 0.2*shortest << " s, 20 %"
-            << units.c_str() << endl;
-    }
+    compare(update.dt, found, script);
 }

@@ -15,6 +15,68 @@ namespace voidFractionModels
 }
 
 
+namespace
+{
+
+//- Number of points of a grain in each cell, of few cells
+class pointCounts
+{
+    static constexpr Foam::label most_ =
+        Foam::voidFractionModels::satellitePoints::nPoints;
+
+    Foam::FixedList<Foam::label, most_> cells_;
+    Foam::FixedList<Foam::label, most_> counts_;
+
+    Foam::label n_;
+
+public:
+
+    //- No point yet in the first cell
+    explicit pointCounts(const Foam::label first)
+    :
+        n_(1)
+    {
+        cells_[0] = first;
+        counts_[0] = 0;
+    }
+
+    //- Count a point in the first cell
+    void addToFirst()
+    {
+        ++counts_[0];
+    }
+
+    void add(const Foam::label cell)
+    {
+        Foam::label i = 0;
+        while (i < n_ && cells_[i] != cell)
+        {
+            ++i;
+        }
+        if (i == n_)
+        {
+            cells_[n_] = cell;
+            counts_[n_++] = 0;
+        }
+        ++counts_[i];
+    }
+
+    //- Add the shares of the cells, each point having one
+    void addTo(Foam::cellWeights& weights, const Foam::scalar share) const
+    {
+        for (Foam::label i = 0; i < n_; ++i)
+        {
+            if (counts_[i])
+            {
+                weights.add(cells_[i], counts_[i]*share);
+            }
+        }
+    }
+};
+
+} // End anonymous namespace
+
+
 Foam::voidFractionModels::satellitePoints::satellitePoints(const dictionary&)
 {
     // Each shell's points stand where half of its volume is within: the
@@ -72,12 +134,7 @@ void Foam::voidFractionModels::satellitePoints::addShares
     const label me = Pstream::myProcNo();
     const scalar share = 1.0/nPoints;
 
-    // Cells met so far, few
-    FixedList<label, nPoints> cells;
-    FixedList<label, nPoints> counts;
-    cells[0] = grain.cell;
-    counts[0] = 0;
-    label n = 1;
+    pointCounts counts(grain.cell);
 
     for (const point& direction : points_)
     {
@@ -90,7 +147,7 @@ void Foam::voidFractionModels::satellitePoints::addShares
 
         if (inside)
         {
-            ++counts[0];
+            counts.addToFirst();
             continue;
         }
 
@@ -103,24 +160,8 @@ void Foam::voidFractionModels::satellitePoints::addShares
             continue;
         }
 
-        label i = 0;
-        while (i < n && cells[i] != end.cell)
-        {
-            ++i;
-        }
-        if (i == n)
-        {
-            cells[n] = end.cell;
-            counts[n++] = 0;
-        }
-        ++counts[i];
+        counts.add(end.cell);
     }
 
-    for (label i = 0; i < n; ++i)
-    {
-        if (counts[i])
-        {
-            weights.add(cells[i], counts[i]*share);
-        }
-    }
+    counts.addTo(weights, share);
 }

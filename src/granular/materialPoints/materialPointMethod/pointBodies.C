@@ -117,6 +117,43 @@ void Foam::materialPointMethod::checkAlone
 }
 
 
+Foam::label Foam::materialPointMethod::lastId() const
+{
+    label last = -1;
+    forAll(points_.id, i)
+    {
+        last = max(last, points_.id[i]);
+    }
+    reduce(last, maxOp<label>());
+
+    return last;
+}
+
+
+void Foam::materialPointMethod::addPoint
+(
+    const label id,
+    const label body,
+    const point& p,
+    const vector& U,
+    const scalar volume
+)
+{
+    const label cell = pointGrid::cell(grid_.coordinate(p, 0));
+    if (grid_.rankOf(cell) == Pstream::myProcNo())
+    {
+        const label last = points_.size();
+        points_.resize(last + 1);
+        points_.id[last] = id;
+        points_.body[last] = body;
+        points_.x[last] = p;
+        points_.U[last] = U;
+        points_.volume[last] = volume;
+        points_.mass[last] = volume*laws_[body].density();
+    }
+}
+
+
 void Foam::materialPointMethod::place
 (
     const dictionary& dict,
@@ -139,13 +176,8 @@ void Foam::materialPointMethod::place
     }
 
     // All ranks count all points, so that numbers do not depend on their number
-    label id = -1;
-    forAll(points_.id, i)
-    {
-        id = max(id, points_.id[i]);
-    }
-    reduce(id, maxOp<label>());
-    const label before = id;
+    const label before = lastId();
+    label id = before;
 
     for (label i = 0; i < n[0]; ++i)
     {
@@ -167,20 +199,7 @@ void Foam::materialPointMethod::place
                     continue;
                 }
                 checkAlone(dict, p, regions);
-                ++id;
-
-                const label cell = pointGrid::cell(grid_.coordinate(p, 0));
-                if (grid_.rankOf(cell) == Pstream::myProcNo())
-                {
-                    const label last = points_.size();
-                    points_.resize(last + 1);
-                    points_.id[last] = id;
-                    points_.body[last] = body;
-                    points_.x[last] = p;
-                    points_.U[last] = U;
-                    points_.volume[last] = volume;
-                    points_.mass[last] = volume*laws_[body].density();
-                }
+                addPoint(++id, body, p, U, volume);
             }
         }
     }

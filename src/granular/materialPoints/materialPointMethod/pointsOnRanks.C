@@ -185,6 +185,28 @@ bool Foam::materialPointMethod::hasLeft(const point& p) const
 }
 
 
+bool Foam::materialPointMethod::leaves(const label i)
+{
+    grid_.wrap(points_.x[i]);
+    const bool left = hasLeft(points_.x[i]);
+    nLeft_ += left;
+
+    if (!left && !grid_.holds(points_.x[i]))
+    {
+        stopFor
+        (
+            i,
+            "is beyond the grid of the points",
+            "Close the mesh there with a wall patch, name the patch in"
+            " materialPoints/outflow, or, if points pass a wall, take a"
+            " smaller courant."
+        );
+    }
+
+    return left;
+}
+
+
 void Foam::materialPointMethod::travel()
 {
     const label me = Pstream::myProcNo();
@@ -195,22 +217,7 @@ void Foam::materialPointMethod::travel()
 
     forAll(points_.x, i)
     {
-        grid_.wrap(points_.x[i]);
-        const bool left = hasLeft(points_.x[i]);
-        nLeft_ += left;
-
-        if (!left && !grid_.holds(points_.x[i]))
-        {
-            stopFor
-            (
-                i,
-                "is beyond the grid of the points",
-                "Close the mesh there with a wall patch, name the patch in"
-                " materialPoints/outflow, or, if points pass a wall, take a"
-                " smaller courant."
-            );
-        }
-
+        const bool left = leaves(i);
         const label rank =
             grid_.cut()
           ? grid_.rankOf(pointGrid::cell(grid_.coordinate(points_.x[i], 0)))

@@ -63,7 +63,13 @@ Foam::plateWalls::plateWalls(const polyMesh& mesh, const wordRes& patches)
         }
     }
 
-    // Vectors and numbers travel; each rank then has the planes of all
+    gather(tolerance);
+}
+
+
+void Foam::plateWalls::gather(const scalar tolerance)
+{
+    // Vectors and numbers travel
     List<List<vector>> normals(Pstream::nProcs());
     List<List<vector>> lowest(Pstream::nProcs());
     List<List<vector>> highest(Pstream::nProcs());
