@@ -4,6 +4,7 @@
 #include "boxOfWater.H"
 #include "grainSnapshot.H"
 #include "granularProperties.H"
+#include "liggghtsScript.H"
 #include "terminalOutput.H"
 
 #include <gtest/gtest.h>
@@ -71,4 +72,65 @@ TEST(liggghtsPhase, farTooManyBinsOfLiggghtsAreAnErrorBeforeTheyTakeTheMemory)
     expectHolds(output, "1e+12 bins of 0.0001 m");
     expectHolds(output, "8000 GB of memory");
     expectHolds(output, "make the box");
+}
+
+
+TEST(liggghtsScript, optionsStandBehindTheModelsOfAContact)
+{
+    const auto parts = [](const string& text)
+    {
+        const auto p = liggghtsScript::parts(text);
+        return p.models + " |" + p.options;
+    };
+
+    EXPECT_EQ(parts("model hertz tangential history"), " model hertz tangential history |");
+    EXPECT_EQ
+    (
+        parts("model  hertz rolling_friction cdt limitForce on torsionTorque on"),
+        " model hertz rolling_friction cdt | limitForce on torsionTorque on"
+    );
+    EXPECT_EQ(parts("${contact} limitForce on"), " ${contact} | limitForce on");
+    EXPECT_EQ(parts("model ${normal} tangential"), " model ${normal} tangential |");
+}
+
+
+// In a wall by 0.1 mm and away from it at 1 m/s, where the damping pulls
+TEST(liggghtsPhase, limitForceHoldsAtPlanesAndAtSurfaces)
+{
+    const auto force = [](const bool plane, const std::string& options)
+    {
+        const scalar base = plane ? 0 : 0.5;
+        boxOfWater w
+        (
+            std::string("LIGGGHTS { walls { ")
+          + (plane ? "" : "patches (zMax); surfaces (base); ")
+          + "contactModel \"model hertz tangential history " + options + "\"; } }"
+        );
+        w.placeGrains(base + 0.0099);
+        if (!plane)
+        {
+            w.write
+            (
+                "base.stl",
+                "solid base\nfacet normal 0 0 1\nouter loop\nvertex 0.1 0.1 0.5\n"
+                "vertex 0.9 0.1 0.5\nvertex 0.9 0.9 0.5\nendloop\nendfacet\n"
+                "facet normal 0 0 1\nouter loop\nvertex 0.1 0.1 0.5\n"
+                "vertex 0.9 0.9 0.5\nvertex 0.1 0.9 0.5\nendloop\nendfacet\n"
+                "endsolid base\n"
+            );
+            w.addPhysics("fix base all mesh/surface file base.stl type 1");
+        }
+        w.addPhysics("velocity all set 0 0 1 units box");
+        const granularProperties dict(w.box().mesh());
+        autoPtr<granularPhase> grains(dict.makePhase(w.box().mesh(), Zero));
+
+        return grains->totalForce()[0].z();
+    };
+
+    for (const bool plane : {true, false})
+    {
+        EXPECT_LT(force(plane, ""), -1) << plane;
+        EXPECT_NEAR(force(plane, "limitForce on"), 0, 1e-12) << plane;
+        EXPECT_EQ(force(plane, "limitForce off"), force(plane, "")) << plane;
+    }
 }

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <iterator>
 #include <regex>
+#include <set>
 #include <sstream>
 
 std::string Foam::liggghtsScript::text(const fileName& script)
@@ -70,6 +71,34 @@ Foam::string Foam::liggghtsScript::contactModel(const fileName& script)
     }
 
     return found.str(2);
+}
+
+
+Foam::liggghtsScript::contactModelParts
+Foam::liggghtsScript::parts(const string& contactModel)
+{
+    const std::set<std::string> families
+    {
+        "model", "tangential", "cohesion", "rolling_friction", "surface"
+    };
+    contactModelParts result;
+    std::istringstream words(contactModel);
+    std::string word;
+
+    while (words >> word && (families.count(word) || word[0] == '$'))
+    {
+        result.models += " " + word;
+        if (families.count(word) && words >> word)
+        {
+            result.models += " " + word;
+        }
+    }
+    for (; words; words >> word)
+    {
+        result.options += " " + word;
+    }
+
+    return result;
 }
 
 

@@ -102,6 +102,7 @@ void Foam::liggghtsWalls::addPlanes
     static const char* const planes[] = {"xplane", "yplane", "zplane"};
     const boundBox& box = mesh_.bounds();
     const label type = material(liggghts, patch);
+    const auto contact = liggghtsScript::parts(contactModel_);
 
     for (const label i : sides)
     {
@@ -111,9 +112,9 @@ void Foam::liggghtsWalls::addPlanes
 
         std::ostringstream os;
         os.precision(17);
-        os  << "fix " << id << " all wall/gran " << contactModel_
+        os  << "fix " << id << " all wall/gran" << contact.models
             << " primitive type " << type << ' ' << planes[i/2] << ' ' << place
-            << " store_force yes";
+            << " store_force yes" << contact.options;
         liggghts.command(os.str());
 
         fixes_(patch.name()).append(id);
@@ -196,11 +197,12 @@ void Foam::liggghtsWalls::addWallOfSurfaces(liggghtsInstance& liggghts) const
         meshes += " " + id;
     }
 
+    const auto contact = liggghtsScript::parts(contactModel_);
     liggghts.command
     (
-        "fix surfaces all wall/gran " + contactModel_ + " mesh n_meshes "
+        "fix surfaces all wall/gran" + contact.models + " mesh n_meshes "
       + Foam::name(surfaces_.size() + scriptSurfaces_.size()) + " meshes" + meshes
-      + " store_force_contact yes"
+      + " store_force_contact yes" + contact.options
     );
 }
 
