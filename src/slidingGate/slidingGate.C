@@ -145,13 +145,13 @@ void Foam::slidingGate::findFaces(const point& onPlane, const vector& normal)
     }
 
     const labelList& owner = mesh_.faceOwner();
-    DynamicList<label> found;
+    DynamicList<label> faces;
 
     for (label face = 0; face < mesh_.nInternalFaces(); ++face)
     {
         if (side[owner[face]] != side[mesh_.faceNeighbour()[face]])
         {
-            found.append(face);
+            faces.append(face);
         }
     }
 
@@ -173,13 +173,13 @@ void Foam::slidingGate::findFaces(const point& onPlane, const vector& normal)
 
                 if (side[owner[face]] != other[face - mesh_.nInternalFaces()])
                 {
-                    found.append(face);
+                    faces.append(face);
                 }
             }
         }
     }
 
-    faces_.transfer(found);
+    faces_.transfer(faces);
 
     if (!returnReduce(faces_.size(), sumOp<label>()))
     {

@@ -104,11 +104,11 @@ void expectEachOnce(testMesh& test, const pointField& places)
     );
 
     scalar furthest = 0;
-    labelList found(places.size(), Zero);
+    labelList count(places.size(), Zero);
 
     for (const locatedGrain& grain : exchange.grains())
     {
-        ++found[grain.id];
+        ++count[grain.id];
         if (!exchange.overlap().inside(grain.position, grain.cell))
         {
             furthest = max
@@ -119,8 +119,8 @@ void expectEachOnce(testMesh& test, const pointField& places)
             );
         }
     }
-    Pstream::listCombineGather(found, plusEqOp<label>());
-    compatibility::broadcast(found);
+    Pstream::listCombineGather(count, plusEqOp<label>());
+    compatibility::broadcast(count);
 
     testNumber
     (
@@ -128,8 +128,8 @@ void expectEachOnce(testMesh& test, const pointField& places)
         returnReduce(furthest, maxOp<scalar>())
     );
     EXPECT_LT(furthest, 1e-8);
-    EXPECT_EQ(min(found), 1);
-    EXPECT_EQ(max(found), 1);
+    EXPECT_EQ(min(count), 1);
+    EXPECT_EQ(max(count), 1);
 }
 
 

@@ -347,6 +347,10 @@ TEST_F(tank, aTypeThatNoGrainHasIsToldOnceThereAreGrains)
     placeGrains();
     g.type = 1;
     const std::string warning(output());
-    expectHolds(warning, "grainStress stress: no grain has a type of 3; those that are there have 1 to 1");
+    expectHolds
+    (
+        warning,
+        "grainStress stress: no grain has a type of 3; those that are there have 1 to 1"
+    );
     EXPECT_EQ(output(), "");
 }

@@ -62,14 +62,14 @@ void expectAllPairs(const spheres& s, const double box)
     for (int i = 0; i < s.size(); ++i)
     {
         const auto near = grid.overlapsAbove(i);
-        std::vector<int> found(near.first, near.first + near.size);
-        std::sort(found.begin(), found.end());
-        EXPECT_EQ(std::unique(found.begin(), found.end()), found.end());
+        std::vector<int> sorted(near.first, near.first + near.size);
+        std::sort(sorted.begin(), sorted.end());
+        EXPECT_EQ(std::unique(sorted.begin(), sorted.end()), sorted.end());
         nPairs += near.size;
 
         for (int j = 0; j < s.size(); ++j)
         {
-            const bool isFound = std::binary_search(found.begin(), found.end(), j);
+            const bool isFound = std::binary_search(sorted.begin(), sorted.end(), j);
             const double gap = s.gap(i, j);
 
             if (j <= i || gap > 1e-6*box)

@@ -91,7 +91,7 @@ TEST(ParallelLostGrainFinder, tellsAllRanksOfEachGrainThatNoRankHas)
         left.append(nGrains + 1);
     }
 
-    const List<lostGrainFinder::seen> missing(before.missing(left));
+    const List<lostGrainFinder::record> missing(before.missing(left));
     labelList ids(missing.size());
 
     forAll(missing, i)

@@ -150,12 +150,12 @@ scalar readDensity
         dimDensity,
         caseDictionary(mesh, "constant", "transportProperties").subDict(phase)
     ).value();
-    const scalar given = settings.lookupOrDefault<scalar>("density", density);
+    const scalar entry = settings.lookupOrDefault<scalar>("density", density);
 
-    if (mag(given - density) > 1e-6*density)
+    if (mag(entry - density) > 1e-6*density)
     {
         FatalIOErrorInFunction(settings)
-            << "density is " << given << " kg/m3 here and that of " << phase
+            << "density is " << entry << " kg/m3 here and that of " << phase
             << " in constant/transportProperties " << density
             << ". Take it out here" << exit(FatalIOError);
     }

@@ -149,19 +149,19 @@ void Foam::grainExchange::findElsewhere
         }
     }
 
-    const List<List<label>> found(swapLists(std::move(answers)));
+    const List<List<label>> cells(swapLists(std::move(answers)));
     labelHashSet placed(2*strangers.size());
 
-    forAll(found, rank)
+    forAll(cells, rank)
     {
-        forAll(found[rank], q)
+        forAll(cells[rank], q)
         {
             const label i = requests[rank][q];
 
-            if (found[rank][q] >= 0 && placed.insert(i))
+            if (cells[rank][q] >= 0 && placed.insert(i))
             {
                 sent_[rank].append(i);
-                cells_[rank].append(found[rank][q]);
+                cells_[rank].append(cells[rank][q]);
             }
         }
     }

@@ -178,7 +178,7 @@ Foam::sphereOverlap::cap Foam::sphereOverlap::capOf
 }
 
 
-inline Foam::vector Foam::sphereOverlap::seen
+inline Foam::vector Foam::sphereOverlap::toCorner
 (
     const point& at,
     const point& p,
@@ -221,19 +221,19 @@ Foam::scalar Foam::sphereOverlap::sumOverParts
         point corners[mostCorners];
         forAll(f, i)
         {
-            corners[i] = seen(points_[f[i]], p, far);
+            corners[i] = toCorner(points_[f[i]], p, far);
         }
         return what(UList<point>(corners, f.size()), normal);
     }
 
     point triangle[3];
-    triangle[0] = seen(mesh_.faceCentres()[face], p, far);
+    triangle[0] = toCorner(mesh_.faceCentres()[face], p, far);
     scalar sum = 0;
 
     forAll(f, i)
     {
-        triangle[1] = seen(points_[f[i]], p, far);
-        triangle[2] = seen(points_[f.nextLabel(i)], p, far);
+        triangle[1] = toCorner(points_[f[i]], p, far);
+        triangle[2] = toCorner(points_[f.nextLabel(i)], p, far);
 
         const vector area
         (
@@ -279,7 +279,7 @@ bool Foam::sphereOverlap::inside(const point& p, const label cell) const
 
     for (const label f : mesh_.cells()[cell])
     {
-        const scalar seen = sumOverParts
+        const scalar solidAngle = sumOverParts
         (
             f,
             mesh_.faceAreas()[f]/mag(mesh_.faceAreas()[f]),
@@ -287,7 +287,7 @@ bool Foam::sphereOverlap::inside(const point& p, const label cell) const
             mesh_.bounds().mag(),
             flatFace::solidAngle
         );
-        angle += mesh_.faceOwner()[f] == cell ? seen : -seen;
+        angle += mesh_.faceOwner()[f] == cell ? solidAngle : -solidAngle;
     }
 
     return angle > constant::mathematical::twoPi;

@@ -204,10 +204,10 @@ void Foam::bedReference::take
 
 bool Foam::bedReference::read(const fileName& file)
 {
-    bool found = Pstream::master() && isFile(file);
-    compatibility::broadcast(found);
+    bool exists = Pstream::master() && isFile(file);
+    compatibility::broadcast(exists);
 
-    if (!found)
+    if (!exists)
     {
         return false;
     }

@@ -34,7 +34,7 @@ Foam::functionObjects::collisionLoad::collisionLoad
 
     if (mass_ <= 0)
     {
-        kept("mass", mass_);
+        restore("mass", mass_);
     }
 
     if (writes())

@@ -122,7 +122,7 @@ Foam::functionObjects::flumeFunctionObject::grains() const
 }
 
 
-void Foam::functionObjects::flumeFunctionObject::tellAbsent
+void Foam::functionObjects::flumeFunctionObject::warnOfAbsent
 (
     const grainSnapshot& grains,
     const labelHashSet& types
@@ -165,7 +165,7 @@ Foam::labelList Foam::functionObjects::flumeFunctionObject::ofTypes
     const labelHashSet& types
 ) const
 {
-    tellAbsent(grains, types);
+    warnOfAbsent(grains, types);
 
     DynamicList<label> chosen(grains.size());
     forAll(grains.type, i)

@@ -128,7 +128,7 @@ void Foam::functionObjects::displacedGrains::writeOrigins()
     // True on the first rank alone, and all bring theirs
     const bool toFile = returnReduce(writeToFile(), orOp<bool>());
 
-    if (origins_.grown() && toFile)
+    if (origins_.hasNew() && toFile)
     {
         origins_.write(originsFile());
     }
@@ -225,7 +225,7 @@ bool Foam::functionObjects::displacedGrains::sample()
         addTo(left, r);
     }
 
-    for (const grainOrigins::record& r : origins_.gone())
+    for (const grainOrigins::record& r : origins_.ofAbsent())
     {
         addTo(left, r);
     }

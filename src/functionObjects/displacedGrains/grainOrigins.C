@@ -57,12 +57,12 @@ Foam::DynamicList<Foam::grainOrigins::record> Foam::grainOrigins::of
         }
     }
 
-    grown_ = grown_ || origins_.size() > nSeen;
+    hasNew_ = hasNew_ || origins_.size() > nSeen;
     return mine;
 }
 
 
-Foam::DynamicList<Foam::grainOrigins::record> Foam::grainOrigins::gone() const
+Foam::DynamicList<Foam::grainOrigins::record> Foam::grainOrigins::ofAbsent() const
 {
     DynamicList<record> away;
     forAllConstIters(origins_, iter)
@@ -92,7 +92,7 @@ void Foam::grainOrigins::write(const fileName& file)
             << o.since << ' ' << o.d << ' ' << o.type << '\n';
     }
     const label n = returnReduce(origins_.size(), sumOp<label>());
-    grown_ = false;
+    hasNew_ = false;
 
     if (!Pstream::master())
     {

@@ -50,9 +50,9 @@ Foam::functionObjects::grainTrack::grainTrack
 
     if (points_.size())
     {
-        kept("ids", ids_);
+        restore("ids", ids_);
     }
-    kept("looked", looked_);
+    restore("looked", looked_);
     if (writes())
     {
         writeHeaders();
@@ -124,7 +124,7 @@ Foam::labelList Foam::functionObjects::grainTrack::nearest() const
     const grainSnapshot& all = grains();
     const labelList chosen(ofTypes(all, types_));
     const periodicity images(mesh_);
-    labelList found(points_.size(), -1);
+    labelList ids(points_.size(), -1);
 
     forAll(points_, k)
     {
@@ -144,10 +144,10 @@ Foam::labelList Foam::functionObjects::grainTrack::nearest() const
         }
 
         reduce(best, nearer());
-        found[k] = best.second();
+        ids[k] = best.second();
     }
 
-    return found;
+    return ids;
 }
 
 
@@ -156,12 +156,12 @@ bool Foam::functionObjects::grainTrack::sample()
     if (ids_.empty())
     {
         // The nearest grains are sought once there are grains
-        const labelList found(nearest());
-        if (found.found(-1))
+        const labelList ids(nearest());
+        if (ids.found(-1))
         {
             return false;
         }
-        ids_ = found;
+        ids_ = ids;
         setProperty("ids", ids_);
     }
 

@@ -84,17 +84,17 @@ bool Foam::functionObjects::massBalance::goOn()
     label entered = 0;
     label left = 0;
 
-    const bool found =
-        kept("initialVolume", initialVolume_)
-     && kept("initialGrains", initialGrains_)
-     && kept("outflow", outflow_)
-     && kept("entered", entered)
-     && kept("left", left);
+    const bool complete =
+        restore("initialVolume", initialVolume_)
+     && restore("initialGrains", initialGrains_)
+     && restore("outflow", outflow_)
+     && restore("entered", entered)
+     && restore("left", left);
 
     enteredBefore_ += entered;
     leftBefore_ += left;
 
-    return found;
+    return complete;
 }
 
 
@@ -118,7 +118,7 @@ void Foam::functionObjects::massBalance::begin()
     {
         // As results were written LIGGGHTS took out what was beyond a side
         label written = label(count[0]);
-        kept("grains", written);
+        restore("grains", written);
         const label takenOut = written - label(count[0]);
         leftBefore_ += takenOut;
         if (takenOut != 0)

@@ -69,10 +69,10 @@ void Foam::granularPhase::checkNoStateLost
 
     for (const fileName& trace : {fileName("voidFraction"), folder/"positions"})
     {
-        const bool found =
+        const bool exists =
             !fileHandler().filePath(mesh_.time().timePath()/trace).empty();
 
-        if (returnReduce(found, orOp<bool>()))
+        if (returnReduce(exists, orOp<bool>()))
         {
             FatalErrorInFunction
                 << "The state of the grains, " << stateFolder/stateName

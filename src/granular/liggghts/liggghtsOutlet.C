@@ -228,7 +228,7 @@ bool Foam::liggghtsOutlet::wasTurnedOut
 void Foam::liggghtsOutlet::warnOfVanished
 (
     const label n,
-    const lostGrainFinder::seen& first
+    const lostGrainFinder::record& first
 )
 {
     warnedOfVanished_ = true;
@@ -243,7 +243,7 @@ void Foam::liggghtsOutlet::warnOfVanished
 }
 
 
-std::string Foam::liggghtsOutlet::describe(const lostGrainFinder::seen& grain)
+std::string Foam::liggghtsOutlet::describe(const lostGrainFinder::record& grain)
 {
     if (grain.first() < 0)
     {
@@ -261,7 +261,7 @@ std::string Foam::liggghtsOutlet::describe(const lostGrainFinder::seen& grain)
 void Foam::liggghtsOutlet::stopForWrong
 (
     const label n,
-    const lostGrainFinder::seen& first
+    const lostGrainFinder::record& first
 ) const
 {
     FatalErrorInFunction
@@ -279,14 +279,14 @@ void Foam::liggghtsOutlet::stopForWrong
 Foam::label Foam::liggghtsOutlet::nVanished(const label gone)
 {
     // Those that came in and went within one interval were never seen
-    const List<lostGrainFinder::seen> missing(before_.missing(grains_.id()));
+    const List<lostGrainFinder::record> missing(before_.missing(grains_.id()));
     const label nUnseen = gone - missing.size();
     label nWrong = openings_.empty() ? nUnseen : 0;
     label nInside = nUnseen - nWrong;
-    lostGrainFinder::seen first(-1, Pair<vector>());
-    lostGrainFinder::seen firstInside(first);
+    lostGrainFinder::record first(-1, Pair<vector>());
+    lostGrainFinder::record firstInside(first);
 
-    for (const lostGrainFinder::seen& grain : missing)
+    for (const lostGrainFinder::record& grain : missing)
     {
         const point& from = grain.second().first();
         const vector& velocity = grain.second().second();

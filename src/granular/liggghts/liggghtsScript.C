@@ -59,9 +59,9 @@ Foam::string Foam::liggghtsScript::contactModel(const fileName& script)
 {
     const std::string all(text(script));
     const std::regex pairStyle("(^|\n)[ \t]*pair_style[ \t]+gran[ \t]+([^\n]*)");
-    std::smatch found;
+    std::smatch match;
 
-    if (!std::regex_search(all, found, pairStyle))
+    if (!std::regex_search(all, match, pairStyle))
     {
         FatalErrorInFunction
             << "No line 'pair_style gran ...' in " << script << nl
@@ -70,7 +70,7 @@ Foam::string Foam::liggghtsScript::contactModel(const fileName& script)
             << exit(FatalError);
     }
 
-    return found.str(2);
+    return match.str(2);
 }
 
 
@@ -117,25 +117,25 @@ Foam::liggghtsScript::walls(const fileName& script)
     DynamicList<wall> result;
     for (std::sregex_iterator at(all.begin(), all.end(), fix), end; at != end; ++at)
     {
-        wall found{word(at->str(1)), -1, 0, wordList()};
+        wall next{word(at->str(1)), -1, 0, wordList()};
         const std::string arguments(at->str(2));
         std::smatch part;
 
         if (std::regex_search(arguments, part, plane))
         {
-            found.normal = part.str(1)[0] - 'x';
-            found.at = std::strtod(part.str(2).c_str(), nullptr);
+            next.normal = part.str(1)[0] - 'x';
+            next.at = std::strtod(part.str(2).c_str(), nullptr);
         }
         else if (std::regex_search(arguments, part, surfaces))
         {
             std::istringstream names(part.str(1));
             for (std::string name; names >> name;)
             {
-                found.surfaces.append(word(name));
+                next.surfaces.append(word(name));
             }
         }
 
-        result.append(found);
+        result.append(next);
     }
 
     return result;

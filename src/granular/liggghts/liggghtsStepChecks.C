@@ -36,14 +36,14 @@ namespace
     {
         const LAMMPS_NS::Atom& atom = *liggghts->atom;
         const LAMMPS_NS::Modify& modify = *liggghts->modify;
-        extremes found;
+        extremes result;
 
         const auto look = [&](scalar radius, scalar density, label type)
         {
-            found.density = min(found.density, density);
-            found.rayleighTime = min
+            result.density = min(result.density, density);
+            result.rayleighTime = min
             (
-                found.rayleighTime,
+                result.rayleighTime,
                 liggghtsChecks::rayleighTime
                 (
                     radius,
@@ -75,22 +75,22 @@ namespace
             }
         }
 
-        reduce(found.rayleighTime, minOp<scalar>());
-        reduce(found.density, minOp<scalar>());
-        return found;
+        reduce(result.rayleighTime, minOp<scalar>());
+        reduce(result.density, minOp<scalar>());
+        return result;
     }
 
 
     //- Stop where the step [s] is above the shortest Rayleigh time, warn where it is
     //  near
-    void compare(const scalar dt, const extremes& found, const fileName& script)
+    void compare(const scalar dt, const extremes& result, const fileName& script)
     {
-        const scalar shortest = found.rayleighTime;
+        const scalar shortest = result.rayleighTime;
         const scalar fraction = dt/shortest;
         const string units
         (
-            found.density < 100
-          ? "\n    A density is " + Foam::name(found.density)
+            result.density < 100
+          ? "\n    A density is " + Foam::name(result.density)
               + " kg/m3: was it given in g/cm3?"
           : ""
         );
@@ -206,13 +206,13 @@ void Foam::liggghtsChecks::timeStep
         return;
     }
 
-    const extremes found(extremesOf(liggghts, *young, *poisson));
-    if (found.rayleighTime == GREAT)
+    const extremes result(extremesOf(liggghts, *young, *poisson));
+    if (result.rayleighTime == GREAT)
     {
         Info<< "    DEM step " << update.dt << " s, not compared with the"
             << " Rayleigh time: there is no grain, and none to come" << endl;
         return;
     }
 
-    compare(update.dt, found, script);
+    compare(update.dt, result, script);
 }

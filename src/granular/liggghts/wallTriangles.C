@@ -124,8 +124,8 @@ Foam::List<Foam::triFace> Foam::wallTriangles::best
         for (label i = 0; i + span < n; ++i)
         {
             const label j = i + span;
-            scalar& found = smallest[n*i + j];
-            found = -GREAT;
+            scalar& largest = smallest[n*i + j];
+            largest = -GREAT;
 
             // Of equals that which shares the first corner, as in a fan
             for (label k = j - 1; k > i; --k)
@@ -136,9 +136,9 @@ Foam::List<Foam::triFace> Foam::wallTriangles::best
                     smallestAngle(at[i], at[k], at[j], along)
                 );
 
-                if (tip[n*i + j] < 0 || here > found + 1e-6*mag(found))
+                if (tip[n*i + j] < 0 || here > largest + 1e-6*mag(largest))
                 {
-                    found = here;
+                    largest = here;
                     tip[n*i + j] = k;
                 }
             }

@@ -43,7 +43,7 @@ namespace
 }
 
 
-Foam::List<Foam::lostGrainFinder::seen> Foam::lostGrainFinder::missing
+Foam::List<Foam::lostGrainFinder::record> Foam::lostGrainFinder::missing
 (
     const UList<label>& id
 ) const
@@ -78,15 +78,15 @@ Foam::List<Foam::lostGrainFinder::seen> Foam::lostGrainFinder::missing
         );
     }
 
-    List<List<seen>> all(Pstream::nProcs());
-    DynamicList<seen> lost;
+    List<List<record>> all(Pstream::nProcs());
+    DynamicList<record> lost;
 
     for (const List<label>& ids : swapLists(std::move(answers)))
     {
         for (const label gone : ids)
         {
             const label i = noted[gone];
-            lost.append(seen(gone, Pair<vector>(position_[i], velocity_[i])));
+            lost.append(record(gone, Pair<vector>(position_[i], velocity_[i])));
         }
     }
 
@@ -94,5 +94,5 @@ Foam::List<Foam::lostGrainFinder::seen> Foam::lostGrainFinder::missing
     Pstream::gatherList(all);
     compatibility::broadcast(all);
 
-    return ListListOps::combine<List<seen>>(all, accessOp<List<seen>>());
+    return ListListOps::combine<List<record>>(all, accessOp<List<record>>());
 }

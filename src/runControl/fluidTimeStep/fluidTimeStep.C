@@ -10,7 +10,7 @@ void Foam::fluidTimeStep::adjust
     const scalar maxDeltaT
 )
 {
-    const scalar grown = min(1.0 + 0.1*ratio, 1.2)*allowed_;
+    const scalar largest = min(1.0 + 0.1*ratio, 1.2)*allowed_;
 
-    allowed_ = min(min(ratio*deltaT, grown), maxDeltaT);
+    allowed_ = min(min(ratio*deltaT, largest), maxDeltaT);
 }

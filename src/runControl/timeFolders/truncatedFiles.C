@@ -82,11 +82,11 @@ Foam::fileName Foam::truncatedFile(const fileName& folder, const fileName& but)
     }
     for (const fileName& sub : readDir(folder, fileName::DIRECTORY))
     {
-        const fileName found(truncatedFile(folder/sub, but));
+        const fileName file(truncatedFile(folder/sub, but));
 
-        if (found.size())
+        if (file.size())
         {
-            return found;
+            return file;
         }
     }
 

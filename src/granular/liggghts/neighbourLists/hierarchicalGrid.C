@@ -206,10 +206,10 @@ Foam::hierarchicalGrid::indices Foam::hierarchicalGrid::overlapsAbove(const int 
                 }
 
                 // Noted of each, kept of those that overlap: no branch
-                int* const found = found_.data();
+                int* const list = found_.data();
                 for (int k = begin; k < end; ++k)
                 {
-                    found[n] = l.id[k];
+                    list[n] = l.id[k];
                     n +=
                         int(packedSpheres::overlap(s, l.spheres[k]))
                       & int(l.id[k] > i);

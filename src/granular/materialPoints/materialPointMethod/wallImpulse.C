@@ -57,11 +57,11 @@ Foam::vectorField Foam::materialPointMethod::wallImpulse
     const label wall
 ) const
 {
-    std::vector<nodeLanes> given;
+    std::vector<nodeLanes> impulses;
     for (label field = 0; field < nFields(); ++field)
     {
-        given.push_back(walls_.given(wall, field));
+        impulses.push_back(walls_.impulseOnNodes(wall, field));
     }
 
-    return grid_.nDims() == 2 ? fromNodes<2>(given) : fromNodes<3>(given);
+    return grid_.nDims() == 2 ? fromNodes<2>(impulses) : fromNodes<3>(impulses);
 }

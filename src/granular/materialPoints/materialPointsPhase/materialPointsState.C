@@ -163,14 +163,14 @@ void Foam::materialPointsPhase::readState(const fileName& path)
     Info<< "    from " << path << endl;
 
     std::ifstream is(path, std::ios::binary);
-    std::string found;
-    std::getline(is, found);
+    std::string line;
+    std::getline(is, line);
 
-    if (found != heading(method_))
+    if (line != heading(method_))
     {
         FatalErrorInFunction
             << "The state " << path << " is one of" << nl
-            << "    " << found.substr(0, 200).c_str() << nl
+            << "    " << line.substr(0, 200).c_str() << nl
             << "    but the dictionary has" << nl
             << "    " << heading(method_).c_str() << nl
             << "    Go on with the bodies, the 'density' of each, and the version of this"

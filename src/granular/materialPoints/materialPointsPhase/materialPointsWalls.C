@@ -221,7 +221,7 @@ void Foam::materialPointsWalls::open
         }
 
         const boundBox bounds(patch.localPoints(), true);
-        bool found = false;
+        bool isOnSide = false;
 
         for (label side = 0; side < 6; ++side)
         {
@@ -229,11 +229,11 @@ void Foam::materialPointsWalls::open
             {
                 checkAllOpen(mesh, dict, side, patch.name(), outflow);
                 method.open(side);
-                found = true;
+                isOnSide = true;
             }
         }
 
-        if (!found)
+        if (!isOnSide)
         {
             FatalIOErrorInFunction(dict)
                 << "Patch " << patch.name() << " of outflow is in no side of the"

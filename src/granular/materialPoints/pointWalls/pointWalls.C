@@ -8,15 +8,15 @@ namespace
     using namespace Foam;
 
     //- Bring the velocity of a node closer to the one wanted by at most a loss
-    void brake(lanes& node, const lanes& wanted, const scalar most)
+    void brake(lanes& node, const lanes& target, const scalar most)
     {
-        const lanes way(wanted - node);
+        const lanes way(target - node);
         const scalar speed =
             std::sqrt(sqr(way[1]) + sqr(way[2]) + sqr(way[3]));
 
         if (speed > 0)
         {
-            node = wanted - (1 - min(most, speed)/speed)*way;
+            node = target - (1 - min(most, speed)/speed)*way;
         }
     }
 }
@@ -95,7 +95,7 @@ void Foam::pointWalls::addFace(const label wall, const pointField& corners)
 }
 
 
-Foam::lanes Foam::pointWalls::wanted
+Foam::lanes Foam::pointWalls::frictionVelocity
 (
     const nodeLanes& nodes,
     const heldNode& held
@@ -133,7 +133,7 @@ void Foam::pointWalls::apply
         }
 
         node -= inwards*held.normal;
-        brake(node, wanted(nodes, held), -friction[held.wall]*inwards);
+        brake(node, frictionVelocity(nodes, held), -friction[held.wall]*inwards);
         node[0] = before[0];
 
         if (!counts)
@@ -141,7 +141,7 @@ void Foam::pointWalls::apply
             continue;
         }
 
-        given_[body][i] += before[0]*(node - before);
+        nodeImpulse_[body][i] += before[0]*(node - before);
         if (held.counted)
         {
             vector& impulse = impulse_[held.wall];
@@ -158,14 +158,14 @@ void Foam::pointWalls::apply
 void Foam::pointWalls::resetImpulse()
 {
     impulse_ = Zero;
-    given_.assign
+    nodeImpulse_.assign
     (
         friction_.size(), nodeLanes(held_.size(), lanes(lanes::Zero()))
     );
 }
 
 
-Foam::nodeLanes Foam::pointWalls::given
+Foam::nodeLanes Foam::pointWalls::impulseOnNodes
 (
     const label wall,
     const label body
@@ -177,7 +177,7 @@ Foam::nodeLanes Foam::pointWalls::given
     {
         if (held_[i].wall == wall)
         {
-            result[held_[i].node] += given_[body][i];
+            result[held_[i].node] += nodeImpulse_[body][i];
         }
     }
 
