@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What a page has, from cmark-gfm's XML (one element a line): the text of its
-# headings, its links and pictures, and the paths of the repository in code.
+# headings, its links and pictures, and the paths of the repository
+# and of the package (etc/makePackage) in code.
 
 # attribute(name): of the element in this line
 function attribute(name,    s)
@@ -28,6 +29,8 @@ function paths(s,    i, n, word)
         sub(/[.,]+$/, "", word[i])
         if (word[i] ~ /^(src|doc|etc|tutorials|validation|applications)\/./)
             print "path", word[i]
+        if (word[i] ~ /^\/usr\/(lib|share|share\/doc)\/interdemfoam\/./)
+            print "installed", word[i]
     }
 }
 
