@@ -291,7 +291,9 @@ void Foam::misfit::recordings::checkHeldOut(const dictionary& dict) const
                     << exit(FatalIOError);
             }
         }
-        const bool alone = parts(e).size() == 1 && use(e) == purpose::calibration;
+        const bool alone =
+            use(e) == purpose::calibration
+         && experiments(purpose::calibration).size() == 1;
         if (!recorded && !alone)
         {
             FatalIOErrorInFunction(dict)
