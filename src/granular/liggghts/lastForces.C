@@ -3,6 +3,8 @@
 
 #include "lastForces.H"
 
+#include "fpeGuard.H"
+#include "liggghtsErrors.H"
 #include "liggghtsInstance.H"
 #include "vectorProperty.H"
 
@@ -22,6 +24,8 @@ namespace
 void Foam::lastForces::add(liggghtsInstance& liggghts)
 {
     liggghts_ = &liggghts;
+    const fpeGuard guard;
+    const liggghtsErrors::activity now("the forces of the last DEM step");
     LAMMPS_NS::Modify& modify = *liggghts->modify;
     force_ = addVectorProperty(modify, "interDEMFoamLastForce", noneText);
     torque_ = addVectorProperty(modify, "interDEMFoamLastTorque", noneText);

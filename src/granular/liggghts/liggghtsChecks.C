@@ -249,7 +249,6 @@ void Foam::liggghtsChecks::noConflictingFixes
 }
 
 
-
 void Foam::liggghtsChecks::overlaps
 (
     liggghtsInstance& liggghts,

@@ -100,7 +100,7 @@ void mark
         timeFolders::unmark(runTime);
 
         // No mark is left where a rank ends all of them
-        returnReduce(whole, andOp<bool>());
+        compatibility::barrier();
 
         if (!whole)
         {
@@ -112,7 +112,7 @@ void mark
               : "a file is absent or cut off"
             );
         }
-        returnReduce(whole, andOp<bool>());
+        compatibility::barrier();
     }
 }
 

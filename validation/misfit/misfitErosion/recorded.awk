@@ -2,7 +2,7 @@
 # Experiments and channels of a misfitDict from the paper's table:
 #
 #   awk -F, -v what=experiments|channels -v calibration="D3M115V45 ..." \
-#       [-v validation=".."] [-v test=".."] -f recorded.awk ../paper.csv
+#       [-v validation=".."] [-v test=".."] -f recorded.awk ../../papers/erosionStudy/paper.csv
 #
 # The uncertainty of H, L, L_c and U is the scatter of the paper's 27 values around their own
 # power law of D, M and V; their gain has 5 % for what the definitions leave open (README.md).
