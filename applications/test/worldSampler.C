@@ -385,7 +385,7 @@ Foam::scalar Foam::misfit::worldSampler::nearest(const runState& state) const
 
 Foam::label Foam::misfit::worldSampler::runs() const
 {
-    return asked_.size();
+    return requests_.size();
 }
 
 
@@ -395,7 +395,7 @@ Foam::misfit::worldSampler::operator()(const List<runState>& states)
     List<samples> all(states.size());
     forAll(states, i)
     {
-        asked_.insert(describe(states[i]));
+        requests_.insert(describe(states[i]));
         all[i] = run(states[i]);
         ran_.append(states[i]);
     }

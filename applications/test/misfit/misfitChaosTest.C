@@ -190,7 +190,7 @@ label contradicted(const scalar shown, const scalar effect, const label worlds)
         runs.slopes.col(k).setConstant(effect);
         statistics::sampledModel heldOut(runs.model(true, 0));
 
-        scored best;
+        hypothesisFit best;
         best.what.mechanisms = {3};
         best.best.x = vec::Zero(world::nParameters + 1);
         best.best.x[world::nParameters] = 1;

@@ -280,7 +280,7 @@ TEST(misfitConfidence, aVerdictWithoutSomeOfItsRunsIsNoSurerThanItsScores)
     const finding f(diagnose(s));
     ASSERT_EQ(f.verdict.kind, verdictKind::unknown);
     scalar unknown = 0;
-    for (const scored& w : f.explained.all())
+    for (const hypothesisFit& w : f.explained.all())
     {
         unknown += w.what.isOnlyUnknown() ? w.probability : 0;
     }

@@ -222,12 +222,12 @@ TEST(misfitDiagnosis, theSimplerOneIsNotCalledTheBest)
     const finding f(diagnose(s));
     show(f);
     ASSERT_EQ(f.verdict.kind, verdictKind::unknown);
-    const std::vector<scored>& all = f.explained.all();
-    const auto lessLikely = [](const scored& a, const scored& b)
+    const std::vector<hypothesisFit>& all = f.explained.all();
+    const auto lessLikely = [](const hypothesisFit& a, const hypothesisFit& b)
     {
         return a.probability < b.probability;
     };
-    const scored& likeliest = *std::max_element(all.begin(), all.end(), lessLikely);
+    const hypothesisFit& likeliest = *std::max_element(all.begin(), all.end(), lessLikely);
     EXPECT_NE(likeliest.what.mechanisms, std::vector<int>{0});
     EXPECT_NE
     (
@@ -250,7 +250,7 @@ TEST(misfitDiagnosis, twoMechanismsAtOnceAreBothNamed)
 
     // With something unknown beside it is the same answer, which others are behind
     scalar others = GREAT;
-    for (const scored& w : f.explained.all())
+    for (const hypothesisFit& w : f.explained.all())
     {
         others = hasAll(w.what, {0, 2}) ? others : min(others, w.score);
     }

@@ -365,7 +365,7 @@ TEST(misfitGates, theLeadIsThatOfTheBestThatSaysTheSame)
     ASSERT_EQ(f.verdict.names, wordList({world::mechanism(0)}));
     scalar same = GREAT;
     scalar other = GREAT;
-    for (const scored& w : f.explained.all())
+    for (const hypothesisFit& w : f.explained.all())
     {
         scalar& lowest = statistics::contains(w.what.mechanisms, 0) ? same : other;
         lowest = min(lowest, w.score);

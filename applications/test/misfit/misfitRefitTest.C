@@ -35,7 +35,7 @@ public:
     evaluation from(const scalar start)
     {
         refitSteps with;
-        with.expand = [](const scored& n)
+        with.expand = [](const hypothesisFit& n)
         {
             return n.best.x;
         };
@@ -51,17 +51,17 @@ public:
             at_ = x[0];
             given_ = s.calibration[0];
         };
-        with.stay = [this](scored n)
+        with.stay = [this](hypothesisFit n)
         {
             n.score = sqr(given_ + n.best.x[0] - at_);
             return n;
         };
-        with.fit = [this](scored n)
+        with.fit = [this](hypothesisFit n)
         {
             n.best.x[0] = at_ - given_;
             return n;
         };
-        scored n;
+        hypothesisFit n;
         n.best.x = vec::Constant(1, start);
         return refit(n, rules(), vec::Constant(1, 1), with);
     }

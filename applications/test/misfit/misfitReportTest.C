@@ -61,7 +61,7 @@ finding found()
         heldOut::part::validation, "A", purpose::validation, w.data, base, w.data.y,
         f.detection.sigma, 9, 1, 1.5
     });
-    scored best;
+    hypothesisFit best;
     best.what.mechanisms = {0};
     best.score = 0;
     f.explained = explanations({best});
@@ -77,9 +77,9 @@ hypothesis& judged(finding& f)
 }
 
 
-scored mechanisms(const std::vector<int>& on)
+hypothesisFit mechanisms(const std::vector<int>& on)
 {
-    scored w;
+    hypothesisFit w;
     w.what.mechanisms = on;
     return w;
 }
@@ -367,11 +367,11 @@ TEST(misfitReport, noNumberIsTooLargeToRead)
     f.tests.held[0].use = purpose::test;
     f.tests.held[0].squareBefore = 2;
     f.tests.held[0].squareAfter = 1e17;
-    scored far(f.best());
+    hypothesisFit far(f.best());
     far.what.mechanisms.clear();
     far.score = 1.3e297;
     f.explained.all().push_back(far);
-    f.correction.isTried = true;
+    f.correction.isRequested = true;
     f.correction.held = f.tests.held;
     const std::string page(reportHtml(f, today(), {}));
     EXPECT_FALSE(says(page, "e+"));
@@ -394,7 +394,7 @@ TEST(misfitReport, aShareThatRoundsToNoughtHasNoSign)
     finding f(found());
     f.tests.held[0].squareBefore = 10;
     f.tests.held[0].squareAfter = 10.02;
-    f.correction.isTried = true;
+    f.correction.isRequested = true;
     f.correction.held = f.tests.held;
     const std::string page(reportHtml(f, today(), {}));
     EXPECT_TRUE(says(page, ">0 %<"));

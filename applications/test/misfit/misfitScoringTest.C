@@ -22,7 +22,7 @@ vec number(const scalar a)
 
 
 //- The best explanation of recorded samples
-std::vector<scored> explain
+std::vector<hypothesisFit> explain
 (
     world& w,
     const statistics::responseSurface& surface,
@@ -32,7 +32,7 @@ std::vector<scored> explain
     w.data.y = y;
     covariance c(w.data, 0.005);
     c.addSpread("between the runs", surface.leftOut(), 0, 1);
-    std::vector<scored> list
+    std::vector<hypothesisFit> list
     (
         scoring(w.data, surface, w.bounds, c).all
         (
@@ -78,7 +78,7 @@ TEST(misfitScoring, aLateRecorderIsTakenForThatAndNotForItsChannels)
     (
         possibleFaults(w.data, {faultKind::clock})
     );
-    const std::vector<scored> list
+    const std::vector<hypothesisFit> list
     (
         explain(w, surface, clocks[0](w.data, f, number(0.15)))
     );
@@ -113,7 +113,7 @@ TEST(misfitScoring, whatAClockMovesBeyondTheEndsDoesNotCount)
         {}, mat(), possibleFaults(w.data, {faultKind::clock})[0], false
     };
     const covariance noise(w.data, 0);
-    const scored found
+    const hypothesisFit found
     (
         scoring(w.data, surface, w.bounds, noise).withBaseCovariance
         (
@@ -168,7 +168,7 @@ TEST(misfitScoring, numbersAloneNameAMechanism)
     }
     const statistics::responseSurface surface(x, y, bounds.mean, vec(vec::Ones(3)));
     const covariance known(data, 0);
-    const std::vector<scored> list
+    const std::vector<hypothesisFit> list
     (
         scoring(data, surface, bounds, known).all
         (
@@ -179,7 +179,7 @@ TEST(misfitScoring, numbersAloneNameAMechanism)
     );
     EXPECT_EQ(list.front().what.mechanisms, std::vector<int>({0}));
     EXPECT_NEAR(list.front().best.x[1], 0.8, 0.1);
-    for (const scored& w : list)
+    for (const hypothesisFit& w : list)
     {
         EXPECT_TRUE(std::isfinite(w.score));
     }
@@ -205,7 +205,7 @@ TEST(misfitScoring, theBetterOfTwoMinimaIsFound)
     const statistics::responseSurface surface(x, y, bounds.mean, bounds.width);
     hypothesis h;
     h.mechanisms = {0};
-    const scored found
+    const hypothesisFit found
     (
         scoring(data, surface, bounds, covariance(data, 0)).withBaseCovariance
         (
@@ -376,7 +376,7 @@ TEST(misfitScoring, exchangedChannelsTakeWithThemWhatTheSimulationIsUncertainBy)
     covariance c(w.data, 0.005);
     c.addSpread("between the runs", surface.leftOut(), 0, 1);
     c.addDifference("mesh", wave);
-    const std::vector<scored> list
+    const std::vector<hypothesisFit> list
     (
         scoring(w.data, surface, w.bounds, c).all
         (
@@ -386,7 +386,7 @@ TEST(misfitScoring, exchangedChannelsTakeWithThemWhatTheSimulationIsUncertainBy)
         )
     );
     expectFault(list.front().what.fault, faultKind::swapped, "P1", "P2");
-    for (const scored& other : list)
+    for (const hypothesisFit& other : list)
     {
         if (!other.what.fault || !(*other.what.fault == exchanged))
         {

@@ -156,8 +156,8 @@ TEST(misfitSensorFault, besideSomethingUnknownAnExchangeMustGainByItself)
     worldSampler s(truth(-1, 0), 300, exchanged(60));
     const finding found(diagnose(s));
     ASSERT_TRUE(found.hasMore());
-    const scored* known = nullptr;
-    for (const scored& w : found.explained.all())
+    const hypothesisFit* known = nullptr;
+    for (const hypothesisFit& w : found.explained.all())
     {
         known = w.what == found.best().what.known() ? &w : known;
     }

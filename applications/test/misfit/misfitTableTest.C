@@ -114,7 +114,7 @@ outcome outcomeOf(const mat& table, const vec& digits = roundings)
     const Foam::fpeGuard guard;
     identity law("q", "x/sqrt(y)");
     const columnFaults faults(factorial, law, inLines(table), digits, 0.01);
-    const columnFault best = faults.tried().front();
+    const columnFault best = faults.attempts().front();
     return {best, faults.isLikely(best, limit)};
 }
 

@@ -27,7 +27,7 @@ std::string pageFrom(const std::string& text)
     std::string page;
     const std::string output
     (
-        refusal([&]() { page = filled("page.html", {{"a", "it"}, {"b", true}}); })
+        refusal([&]() { page = fillTemplate("page.html", {{"a", "it"}, {"b", true}}); })
     );
     setEnv("INTERDEMFOAM_DIR", before, true);
     return output == "nothing" ? page : output;

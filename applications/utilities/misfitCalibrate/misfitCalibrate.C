@@ -279,7 +279,7 @@ int main(int argc, char* argv[])
     calibration calibrate(parameters, targets);
     vec chosen;
     vec deviations;
-    const fitted best = calibrate.choose(chosen, deviations);
+    const fitResult best = calibrate.choose(chosen, deviations);
     Info<< "Sum of squares of the misfit " << best.misfit << " of "
         << best.f.size() << " numbers" << nl;
 

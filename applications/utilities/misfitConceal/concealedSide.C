@@ -247,7 +247,7 @@ Foam::misfit::settings
 Foam::misfit::concealedSide::known(settings given, const fileName& folder)
 {
     const fileName file(folder/"measured");
-    const char* const asking = "libraryDict";
+    const char* const dictionaryName = "libraryDict";
     const json measured(isFile(file, false) ? readJson(file) : json::object());
     for (parameter& p : given.parameters)
     {
@@ -255,8 +255,8 @@ Foam::misfit::concealedSide::known(settings given, const fileName& folder)
         {
             FatalErrorInFunction
                 << "The parameter " << p.name << " is measured in "
-                << (p.isMeasured ? asking : file.c_str()) << ", not in "
-                << (p.isMeasured ? file.c_str() : asking) << ": give both dictionaries"
+                << (p.isMeasured ? dictionaryName : file.c_str()) << ", not in "
+                << (p.isMeasured ? file.c_str() : dictionaryName) << ": give both dictionaries"
                 << " of the slice the same parameters, and make the cases again"
                 << exit(FatalError);
         }

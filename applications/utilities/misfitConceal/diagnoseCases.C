@@ -109,15 +109,15 @@ void Foam::misfit::diagnoseCases(concealedSide& library, const fileName& folder)
         const recordings recorded(library.recorded(c));
         const settings set(concealedSide::known(given, c));
         predictedSampler ask(recorded, library, library.trainingEnsemble());
-        const finding found(diagnose(ask, set));
+        const finding result(diagnose(ask, set));
         const json proof =
         {
-            {"gaussianProcess", rival(found, set.clockUncertainty)},
-            {"effect", effect(found, set, ask)}
+            {"gaussianProcess", rival(result, set.clockUncertainty)},
+            {"effect", effect(result, set, ask)}
         };
         writeWhole(c/"proof.json", proof.dump(1) + '\n');
-        writeWhole(c/"verdict.json", verdictJson(found, c.name()));
-        Info<< "    " << verdictNames[found.verdict.kind] << ": "
-            << describe(found).c_str() << endl;
+        writeWhole(c/"verdict.json", verdictJson(result, c.name()));
+        Info<< "    " << verdictNames[result.verdict.kind] << ": "
+            << describe(result).c_str() << endl;
     }
 }

@@ -40,21 +40,21 @@ series recorded
     const auto extremes = std::minmax_element(truth.y.cbegin(), truth.y.cend());
     const scalar range = *extremes.second - *extremes.first;
     const scalar late = key["startOff"].get<scalar>() + (how == "clock" ? size : 0);
-    scalar shown = truth(0);
+    scalar reading = truth(0);
     for (label i = 2; i*step < end - 0.02; ++i)
     {
         const scalar t = i*step;
         const scalar y = truth(max(t - late, 0.0));
         if (how == "lag")
         {
-            shown += (y - shown)*(1 - std::exp(-step/size));
+            reading += (y - reading)*(1 - std::exp(-step/size));
         }
         s.y.append
         (
             how == "gain" ? y*(1 + size)
           : how == "zero" ? y + size*range
           : how == "drift" ? y + size*range*t/end
-          : how == "lag" ? shown : y
+          : how == "lag" ? reading : y
         );
         s.x.append(t);
     }

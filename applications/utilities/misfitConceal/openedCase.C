@@ -153,15 +153,15 @@ void compare
             }
         }
     }
-    scalar found = GREAT;
+    scalar onset = GREAT;
     for (const json& b : c.verdict["located"])
     {
-        found = min(found, b["from"].get<scalar>());
+        onset = min(onset, b["from"].get<scalar>());
         lengths += b["to"].get<scalar>() - b["from"].get<scalar>();
     }
     const segment& s = data.segments.front();
     c.overlap = 2*both/lengths;
-    c.onset = 100*(found == GREAT ? last : mag(found - real))/(s.duration() + s.span);
+    c.onset = 100*(onset == GREAT ? last : mag(onset - real))/(s.duration() + s.span);
 }
 
 

@@ -157,17 +157,17 @@ int main(int argc, char* argv[])
         return 0;
     }
 
-    const finding found(diagnose(sampler, set));
+    const finding result(diagnose(sampler, set));
     const fileName above(runTime.path().path());
     writeReport
     (
-        found, folder,
+        result, folder,
         originOf(above.name()/runTime.path().name(), recorded, set.candidates)
     );
-    printFinding(found, folder);
-    if (found.verdict.state)
+    printFinding(result, folder);
+    if (result.verdict.state)
     {
-        const runState corrected(runsOf(recorded, {*found.verdict.state}).first());
+        const runState corrected(runsOf(recorded, {*result.verdict.state}).first());
         solver.makeCase(corrected, folder/correctedCase);
     }
     return 0;

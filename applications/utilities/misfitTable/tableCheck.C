@@ -187,18 +187,18 @@ tableCheck::tableCheck(const dictionary& dict)
         }
     }
     printed = faults.asPrinted();
-    tried = faults.tried();
-    if (tried.empty())
+    attempts = faults.attempts();
+    if (attempts.empty())
     {
         throw std::invalid_argument("it has one row alone; an exchange takes two");
     }
     verdict =
         printed.match.exact == factorial.nRows() ? verdictKind::none
-      : faults.isLikely(tried.front(), limit) ? verdictKind::registration
+      : faults.isLikely(attempts.front(), limit) ? verdictKind::registration
       : verdictKind::unknown;
-    for (const columnFault& fault : tried)
+    for (const columnFault& fault : attempts)
     {
-        if (fault.match.exact == tried.front().match.exact)
+        if (fault.match.exact == attempts.front().match.exact)
         {
             best.push_back
             (

@@ -135,7 +135,7 @@ string reportOne(const tableCheck& check, const explanation& one)
         << fault.match.exact << " of " << check.lines.size()
         << " rows hold the identity as exactly as digits are printed, "
         << fault.match.within << " within the tolerance.\n"
-        << "    That one of the " << check.tried.size()
+        << "    That one of the " << check.attempts.size()
         << " exchanges tried does so by chance: " << shortNumber(fault.chance, 3)
         << "\n    The identity holds as well if " << column << " stands right and "
         << inWords(others, "and") << " stand at the exchanged labels.\n";
@@ -194,11 +194,11 @@ Foam::string Foam::misfit::report(const tableCheck& check)
     }
     else if (check.verdict == verdictKind::unknown)
     {
-        const columnFault& first = check.tried.front();
+        const columnFault& first = check.attempts.front();
         os  << n - check.printed.match.exact << " of " << n
             << " rows miss the identity by more than"
             << " rounding (" << inLines(check.missing) << "), and no exchange of labels explains it. The nearest of "
-            << check.tried.size() << ", with a chance of "
+            << check.attempts.size() << ", with a chance of "
             << shortNumber(first.chance, 3) << ":\n    " << exchange(check, first)
             << '\n';
     }
@@ -228,7 +228,7 @@ std::string Foam::misfit::tableJson(const tableCheck& check)
         {"table", check.file},
         {"rows", check.lines.size()},
         {"verdict", verdictNames[check.verdict]},
-        {"tried", check.tried.size()},
+        {"tried", check.attempts.size()},
         {"asPrinted", jsonOf(check.printed.match)},
         {"missing", check.missing},
         {"faults", named ? each(check.best, one) : json::array()}
@@ -248,7 +248,7 @@ std::string Foam::misfit::triedTable(const tableCheck& check)
     match(check.printed.match);
     os << ",\n";
     std::map<std::pair<int, columnFaultKind>, int> nWritten;
-    for (const columnFault& one : check.tried)
+    for (const columnFault& one : check.attempts)
     {
         if (nWritten[{one.column, one.kind}]++ < nBest)
         {

@@ -13,7 +13,7 @@ using namespace Foam;
 using namespace Foam::misfit;
 
 //- True if it is one of the set, or has all mechanisms of one
-bool hasOneOf(const std::vector<scored>& alternatives, const scored& w)
+bool hasOneOf(const std::vector<hypothesisFit>& alternatives, const hypothesisFit& w)
 {
     return
         isAmong(alternatives, w)
@@ -21,7 +21,7 @@ bool hasOneOf(const std::vector<scored>& alternatives, const scored& w)
         (
             alternatives.begin(),
             alternatives.end(),
-            [&](const scored& one)
+            [&](const hypothesisFit& one)
             {
                 return
                     one.what.fault ? w.what.extends(one.what)
@@ -49,7 +49,7 @@ bool hasAll
 
 
 //- True if an explanation says what the verdict says
-bool agrees(const evidence& e, const decision& d, const scored& w)
+bool agrees(const evidence& e, const decision& d, const hypothesisFit& w)
 {
     switch (d.kind)
     {
@@ -82,7 +82,7 @@ scalar lead(const evidence& e, const decision& d)
 {
     scalar own = GREAT;
     scalar others = GREAT;
-    for (const scored& w : e.explained.all())
+    for (const hypothesisFit& w : e.explained.all())
     {
         scalar& least = agrees(e, d, w) ? own : others;
         least = min(least, w.score);
@@ -94,17 +94,17 @@ scalar lead(const evidence& e, const decision& d)
 //- Fraction of the tested gates that passed [-]
 scalar shareOfGates(const gateList& gates)
 {
-    label nTried = 0;
+    label nAttempts = 0;
     label passed = 0;
     for (const gate& g : gates)
     {
         if (g.applies && g.kind != gateKind::detection)
         {
-            ++nTried;
+            ++nAttempts;
             passed += g.passed;
         }
     }
-    return nTried ? scalar(passed)/nTried : 1;
+    return nAttempts ? scalar(passed)/nAttempts : 1;
 }
 
 
@@ -112,7 +112,7 @@ scalar shareOfGates(const gateList& gates)
 scalar shareOfThoseThatAgree(const evidence& e, const decision& d)
 {
     scalar sum = 0;
-    for (const scored& w : e.explained.all())
+    for (const hypothesisFit& w : e.explained.all())
     {
         sum += agrees(e, d, w) ? w.probability : 0;
     }

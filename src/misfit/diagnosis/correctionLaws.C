@@ -37,24 +37,24 @@ List<dimensionlessLaw> possibleLaws(correctionStudy& c)
 void judge
 (
     correctionStudy& c,
-    const scored& free,
+    const hypothesisFit& free,
     const List<dimensionlessLaw>& laws,
     const List<evaluation>& fits,
     const labelList& order
 )
 {
     const settings& set = c.s.set;
-    correctionFit& found = c.found;
+    correctionFit& result = c.result;
     const dimensionlessLaw& best = laws[order[0]];
     const evaluation& first = fits[order[0]];
-    const scalar needed = found.elements.size() ? set.gap : set.evidence;
+    const scalar needed = result.elements.size() ? set.gap : set.evidence;
     const bool enough =
         first.variables.size() && first.failure.empty()
      && free.score - first.best.score >= needed;
-    found.explained = enough;
+    result.explained = enough;
     for (const label i : order)
     {
-        const fitted& f = fits[i].best.best;
+        const fitResult& f = fits[i].best.best;
         const scalar score = fits[i].best.score;
         const scalar lead = free.score - score;
         const label k = laws[i].functions.size();
@@ -63,7 +63,7 @@ void judge
         {
             deviations[j] = f.deviation(c.s.bounds.nParameters + j);
         }
-        found.laws.append({laws[i], f.x.tail(k), deviations, lead});
+        result.laws.append({laws[i], f.x.tail(k), deviations, lead});
 
         // One that has the best in it, or is a part of it, is no rival, unless
         // it is better and the solver fails with it
@@ -72,10 +72,10 @@ void judge
         const scalar limit = nested ? (fails ? 0 : -GREAT) : set.gap;
         if (score < first.best.score + limit)
         {
-            found.explained = false;
-            if (fails && found.lawThatFails < 0 && (enough || lead >= needed))
+            result.explained = false;
+            if (fails && result.lawThatFails < 0 && (enough || lead >= needed))
             {
-                found.lawThatFails = found.laws.size() - 1;
+                result.lawThatFails = result.laws.size() - 1;
             }
         }
     }
@@ -127,5 +127,5 @@ Foam::misfit::followLaws(correctionStudy& c, const evaluation& free)
         sort();
     }
     judge(c, free.best, laws, fits, order);
-    return c.found.explained ? fits[order[0]] : free;
+    return c.result.explained ? fits[order[0]] : free;
 }

@@ -21,15 +21,15 @@ std::vector<int> alwaysFailing
     std::vector<int> failing;
     forAll(s.names, m)
     {
-        label nTried = 0;
+        label nAttempts = 0;
         label ran = 0;
         for (label i = 0; i < count(design); ++i)
         {
             const bool on = design[i][s.bounds.nParameters + m] > 0;
-            nTried += on;
+            nAttempts += on;
             ran += on && given[i].ok();
         }
-        if (nTried && !ran)
+        if (nAttempts && !ran)
         {
             failing.push_back(m);
         }
@@ -40,7 +40,7 @@ std::vector<int> alwaysFailing
 
 //- What candidates, as far as they were run, and sensor faults would change in the
 //  fitted samples: a column for each
-mat shapes(const study& s, const scored& base)
+mat shapes(const study& s, const hypothesisFit& base)
 {
     const sampledModel& calibration = s.calibration;
     mat changes(calibration.size(), 0);
@@ -69,7 +69,7 @@ mat shapes(const study& s, const scored& base)
 }
 
 
-std::vector<place> placed
+std::vector<place> placesOf
 (
     const std::vector<window>& windows,
     const stacked& data,
@@ -90,7 +90,7 @@ std::vector<place> placed
 
 
 //- Where and when recording and calibrated base part beyond chance; left: chance of that
-std::vector<place> locate(const study& s, const scored& base, const scanned& left)
+std::vector<place> locate(const study& s, const hypothesisFit& base, const scanResult& left)
 {
     const stacked& data = s.calibration.data();
     const vec misfit = data.y - base.best.f;
@@ -106,11 +106,11 @@ std::vector<place> locate(const study& s, const scored& base, const scanned& lef
             clear.resize(min(clear.size(), size_t(1)));
         }
     }
-    return placed(clear, data, misfit);
+    return placesOf(clear, data, misfit);
 }
 
 
-List<calibratedParameter> parametersOf(const settings& set, const scored& base)
+List<calibratedParameter> parametersOf(const settings& set, const hypothesisFit& base)
 {
     List<calibratedParameter> all;
     forAll(set.parameters, i)
@@ -158,10 +158,10 @@ std::vector<int> Foam::misfit::addCalibrationRuns(study& s)
 }
 
 
-Foam::misfit::scanned Foam::misfit::scanResidual
+Foam::misfit::scanResult Foam::misfit::scanResidual
 (
     const study& s,
-    const scored& w,
+    const hypothesisFit& w,
     const mat& shapes
 )
 {
@@ -192,7 +192,7 @@ Foam::misfit::scanned Foam::misfit::scanResidual
 Foam::misfit::misfitDetection Foam::misfit::detect
 (
     const study& s,
-    const scored& base
+    const hypothesisFit& base
 )
 {
     Info<< "Detection" << endl;
@@ -201,7 +201,7 @@ Foam::misfit::misfitDetection Foam::misfit::detect
     const vec atMean = s.calibration.surface()(s.bounds.mean);
     const whitener white(s.calibration.uncertainty().at(atMean));
     const statistics::scan raw(data, white, set.draws, set.seed);
-    const scanned left(scanResidual(s, base, shapes(s, base)));
+    const scanResult left(scanResidual(s, base, shapes(s, base)));
     return
     {
         raw(data.y - atMean, set.significance),
@@ -227,7 +227,7 @@ std::vector<Foam::misfit::place> Foam::misfit::locateNamed
     const scalar share = s.set.residualShare;
     const vec explained =
         (1 - share)*(d.after - d.before) + share*(data.y - d.before);
-    return placed
+    return placesOf
     (
         statistics::stretches
         (
@@ -245,7 +245,7 @@ std::vector<Foam::misfit::place> Foam::misfit::locateNamed
 Foam::misfit::screenedCandidates Foam::misfit::addSensitivityRuns
 (
     study& s,
-    const scored& base,
+    const hypothesisFit& base,
     const screenedCandidates& candidates
 )
 {

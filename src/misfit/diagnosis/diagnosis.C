@@ -34,7 +34,7 @@ void warnOfClock(const study& s)
 screenedCandidates screenAll
 (
     study& s,
-    const scored& base,
+    const hypothesisFit& base,
     const std::vector<int>& failing,
     const bool detected
 )
@@ -53,7 +53,7 @@ finding runStages(sampler& ask, const settings& set)
     warnOfClock(s);
     addUncertainty(s);
     const std::vector<int> failing(addCalibrationRuns(s));
-    const scored base(s.calibration.score().base());
+    const hypothesisFit base(s.calibration.score().base());
     const misfitDetection detection(detect(s, base));
     const bool detected = detection.calibrated.p < set.significance;
     const screenedCandidates candidates(screenAll(s, base, failing, detected));

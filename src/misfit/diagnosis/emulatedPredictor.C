@@ -141,13 +141,13 @@ Foam::misfit::prediction
 Foam::misfit::emulatedPredictor::emulated(const runState& s) const
 {
     prediction p;
-    const auto found = emulators_.find(s.experiment);
-    if (found == emulators_.end())
+    const auto position = emulators_.find(s.experiment);
+    if (position == emulators_.end())
     {
         p.failure = "the training ensemble has no experiment " + s.experiment;
         return p;
     }
-    const emulator& e = found->second;
+    const emulator& e = position->second;
     vec y = (*e.surface)(variables(s));
     forAll(states_, i)
     {

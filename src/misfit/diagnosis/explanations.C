@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-const Foam::misfit::scored& Foam::misfit::explanations::baseline() const
+const Foam::misfit::hypothesisFit& Foam::misfit::explanations::baseline() const
 {
-    for (const scored& w : all_)
+    for (const hypothesisFit& w : all_)
     {
         if (w.what.isNone())
         {
@@ -21,7 +21,7 @@ const Foam::misfit::scored& Foam::misfit::explanations::baseline() const
 Foam::scalar Foam::misfit::explanations::lowestScore() const
 {
     scalar lowest = GREAT;
-    for (const scored& w : all_)
+    for (const hypothesisFit& w : all_)
     {
         lowest = min(lowest, w.score);
     }
@@ -35,14 +35,14 @@ void Foam::misfit::explanations::sort()
 }
 
 
-std::vector<const Foam::misfit::scored*> Foam::misfit::explanations::byScore() const
+std::vector<const Foam::misfit::hypothesisFit*> Foam::misfit::explanations::byScore() const
 {
-    std::vector<const scored*> list;
-    for (const scored& w : all_)
+    std::vector<const hypothesisFit*> list;
+    for (const hypothesisFit& w : all_)
     {
         list.push_back(&w);
     }
-    std::stable_sort(list.begin(), list.end(), [](const scored* a, const scored* b)
+    std::stable_sort(list.begin(), list.end(), [](const hypothesisFit* a, const hypothesisFit* b)
     {
         return a->score < b->score;
     });
@@ -52,7 +52,7 @@ std::vector<const Foam::misfit::scored*> Foam::misfit::explanations::byScore() c
 
 void Foam::misfit::explanations::putFirst(const hypothesis& h)
 {
-    for (scored& w : all_)
+    for (hypothesisFit& w : all_)
     {
         if (w.what == h)
         {
@@ -63,20 +63,20 @@ void Foam::misfit::explanations::putFirst(const hypothesis& h)
 }
 
 
-std::vector<Foam::misfit::scored>
+std::vector<Foam::misfit::hypothesisFit>
 Foam::misfit::explanations::rivals(const settings& set) const
 {
     const scalar lowest = lowestScore();
     hypothesis leader;
-    for (const scored& w : all_)
+    for (const hypothesisFit& w : all_)
     {
         if (w.score == lowest)
         {
             leader = w.what;
         }
     }
-    std::vector<scored> near;
-    for (const scored& w : all_)
+    std::vector<hypothesisFit> near;
+    for (const hypothesisFit& w : all_)
     {
         // Another formula of the first is easily taken for a second mechanism
         const bool isPart =
@@ -108,12 +108,12 @@ Foam::misfit::explanations::find(const hypothesis& h) const
 Foam::misfit::evaluation Foam::misfit::explanations::lookUp
 (
     const study& s,
-    const scored& w
+    const hypothesisFit& w
 ) const
 {
-    if (const evaluation* found = find(w.what))
+    if (const evaluation* known = find(w.what))
     {
-        return *found;
+        return *known;
     }
     return onSurface(s, w);
 }
@@ -141,7 +141,7 @@ void Foam::misfit::explanations::note(const evaluation& c)
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 Foam::misfit::evaluation
-Foam::misfit::onSurface(const study& s, const scored& w)
+Foam::misfit::onSurface(const study& s, const hypothesisFit& w)
 {
     evaluation c;
     c.best = w;
@@ -155,10 +155,10 @@ Foam::misfit::onSurface(const study& s, const scored& w)
 }
 
 
-std::vector<int> Foam::misfit::commonMechanisms(const std::vector<scored>& list)
+std::vector<int> Foam::misfit::commonMechanisms(const std::vector<hypothesisFit>& list)
 {
     std::vector<int> core(list.front().what.mechanisms);
-    for (const scored& w : list)
+    for (const hypothesisFit& w : list)
     {
         std::vector<int> both;
         for (const int m : core)
@@ -176,14 +176,14 @@ std::vector<int> Foam::misfit::commonMechanisms(const std::vector<scored>& list)
 
 bool Foam::misfit::isAmong
 (
-    const std::vector<scored>& list,
-    const scored& w
+    const std::vector<hypothesisFit>& list,
+    const hypothesisFit& w
 )
 {
     return std::any_of
     (
         list.begin(),
         list.end(),
-        [&w](const scored& other) { return other.what == w.what; }
+        [&w](const hypothesisFit& other) { return other.what == w.what; }
     );
 }

@@ -28,18 +28,18 @@ bool computeSensitivities(correctionStudy& c)
     {
         if (!given[i + 1].ok())
         {
-            c.found.failed.append(c.elements()[i].name);
+            c.result.failed.append(c.elements()[i].name);
         }
     }
     c.given = given.first();
-    c.found.failure = c.given.failure;
+    c.result.failure = c.given.failure;
     c.s.build();
     return c.given.ok();
 }
 
 
 //- Some elements are free
-scored fitFree(const correctionStudy& c, const labelList& some)
+hypothesisFit fitFree(const correctionStudy& c, const labelList& some)
 {
     const label n = c.elements().size();
     const label k = some.size();
@@ -57,19 +57,19 @@ scored fitFree(const correctionStudy& c, const labelList& some)
 
 
 //- The best with one more element that is free, which is appended to them
-scored withOneMore(const correctionStudy& c, labelList& free)
+hypothesisFit withOneMore(const correctionStudy& c, labelList& free)
 {
-    scored best;
+    hypothesisFit best;
     labelList chosen(free);
     forAll(c.elements(), i)
     {
-        if (free.found(i) || c.found.failed.found(c.elements()[i].name))
+        if (free.found(i) || c.result.failed.found(c.elements()[i].name))
         {
             continue;
         }
         labelList more(free);
         more.append(i);
-        const scored one(fitFree(c, more));
+        const hypothesisFit one(fitFree(c, more));
         if (one.score < best.score)
         {
             best = one;
@@ -96,7 +96,7 @@ evaluation fitFreely(correctionStudy& c)
         const scalar bound =
             free.empty() ? none - set.evidence : r.best.score - set.gap;
         labelList more(free);
-        const scored next(withOneMore(c, more));
+        const hypothesisFit next(withOneMore(c, more));
         if (next.score > bound)
         {
             break;
@@ -104,7 +104,7 @@ evaluation fitFreely(correctionStudy& c)
         r.best = next;
         free = more;
     }
-    c.found.gain = none - r.best.score;
+    c.result.gain = none - r.best.score;
     if (free.size())
     {
         r = c.compute(r.best);
@@ -112,7 +112,7 @@ evaluation fitFreely(correctionStudy& c)
     forAll(free, i)
     {
         const label k = c.s.bounds.nParameters + i;
-        c.found.elements.append
+        c.result.elements.append
         ({
             c.elements()[free[i]], r.best.best.x[k], r.best.best.deviation(k)
         });
@@ -133,7 +133,7 @@ bool holdsIn
 {
     // A push that follows the flow is another one where the flow is another
     const dimensionlessLaw* law =
-        c.found.explained ? &c.found.laws.first().law : nullptr;
+        c.result.explained ? &c.result.laws.first().law : nullptr;
     runState state(c.s.state(other.experiment, c.atBase));
     state.noting = law && law->family == "push";
     const samples before(c.s.means(List<runState>(1, state)).first());
@@ -162,7 +162,7 @@ bool holdsIn
     {
         return false;
     }
-    c.found.held.append(*held);
+    c.result.held.append(*held);
     return
         held->squareAfter
      <= max(confirmingSquare(*held, set), held->limitOfMatch);
@@ -177,13 +177,13 @@ void test
     const std::map<word, covariance>& known
 )
 {
-    correctionFit& found = c.found;
-    found.after = r.best.best.f;
-    found.left = scanResidual(c.s, r.best).p;
-    found.isEnough = found.left >= c.s.set.adequacy;
-    found.held =
+    correctionFit& result = c.result;
+    result.after = r.best.best.f;
+    result.left = scanResidual(c.s, r.best).p;
+    result.isEnough = result.left >= c.s.set.adequacy;
+    result.held =
         compareHere(c.s, c.given, r.given, c.s.validation.uncertainty());
-    label nTried = 0;
+    label nAttempts = 0;
     label held = 0;
     for (label i = 1; i < c.s.experiments.size(); ++i)
     {
@@ -191,15 +191,15 @@ void test
         const bool holds = holdsIn(c, other, r, known.at(other.experiment));
         if (other.use == purpose::validation && other.validation.size())
         {
-            ++nTried;
+            ++nAttempts;
             held += holds;
         }
     }
-    found.transfers = nTried && held == nTried;
-    for (const heldOut& h : found.held)
+    result.transfers = nAttempts && held == nAttempts;
+    for (const heldOut& h : result.held)
     {
         const bool worse = h.squareAfter > h.squareBefore;
-        found.holds = found.holds && !(worse && h.use == purpose::validation);
+        result.holds = result.holds && !(worse && h.use == purpose::validation);
     }
 }
 
@@ -220,7 +220,7 @@ word nameOf(const dimensionlessLaw& law)
 Foam::misfit::correctionStudy::correctionStudy
 (
     const study& whole,
-    const scored& calibrated
+    const hypothesisFit& calibrated
 )
 :
     s(whole.ofCorrection()),
@@ -230,17 +230,17 @@ Foam::misfit::correctionStudy::correctionStudy
 {
     const label nP = s.bounds.nParameters;
     atBase.head(nP) = base.best.x.head(nP);
-    found.isTried = true;
+    result.isRequested = true;
 }
 
 
-Foam::misfit::scored Foam::misfit::correctionStudy::fit
+Foam::misfit::hypothesisFit Foam::misfit::correctionStudy::fit
 (
     const mat& combination,
     const scalar number
 ) const
 {
-    scored w;
+    hypothesisFit w;
     w.what.combination = combination;
     w.number = number;
     w.covariance = base.covariance;
@@ -249,7 +249,7 @@ Foam::misfit::scored Foam::misfit::correctionStudy::fit
 
 
 Foam::misfit::evaluation
-Foam::misfit::correctionStudy::compute(const scored& start)
+Foam::misfit::correctionStudy::compute(const hypothesisFit& start)
 {
     evaluation r(refit(s, start, &white));
     if (r.failure.size())
@@ -265,26 +265,26 @@ Foam::misfit::correctionStudy::compute(const scored& start)
 Foam::misfit::correctionFit Foam::misfit::fitCorrection
 (
     const study& s,
-    const scored& base,
+    const hypothesisFit& base,
     const std::map<word, covariance>& known
 )
 {
     Info<< "Free correction" << endl;
     correctionStudy c(s, base);
-    correctionFit& found = c.found;
+    correctionFit& result = c.result;
     if (computeSensitivities(c))
     {
         const evaluation best(followLaws(c, fitFreely(c)));
-        if (found.elements.size() || found.explained)
+        if (result.elements.size() || result.explained)
         {
             test(c, best, known);
         }
-        found.ofSurface = best.failure.size();
-        found.named =
-            found.explained && found.transfers && found.holds && found.isEnough;
+        result.ofSurface = best.failure.size();
+        result.named =
+            result.explained && result.transfers && result.holds && result.isEnough;
     }
-    found.nRuns = c.s.nRuns;
-    return found;
+    result.nRuns = c.s.nRuns;
+    return result;
 }
 
 

@@ -28,7 +28,7 @@ struct gateContext
         return s.set;
     }
 
-    const scored& best() const
+    const hypothesisFit& best() const
     {
         return explained.best();
     }
@@ -53,7 +53,7 @@ scalar gainAlone(const gateContext& a)
     {
         return statistics::gain(a.s.calibration, a.what());
     }
-    for (const scored& w : a.explained.all())
+    for (const hypothesisFit& w : a.explained.all())
     {
         // Scored with the uncertainty where the exchange moves it
         if (a.what().fault && w.what == a.what().known())
@@ -89,7 +89,7 @@ gate gapGate(const gateContext& a)
     scalar own = a.best().score;
     scalar others = GREAT;
     std::optional<hypothesis> next;
-    for (const scored& w : a.explained.all())
+    for (const hypothesisFit& w : a.explained.all())
     {
         if (saySame(a.what(), w.what))
         {
@@ -124,11 +124,11 @@ gate adequacyGate(const gateContext& a)
 
 
 //- What wins without a channel
-scored winnerWithout(const gateContext& a, const label channel)
+hypothesisFit winnerWithout(const gateContext& a, const label channel)
 {
-    const scored& best = a.best();
+    const hypothesisFit& best = a.best();
     const sampledModel rest(a.s.calibration.without(channel));
-    const std::vector<scored> all
+    const std::vector<hypothesisFit> all
     (
         rest.score().all
         (
@@ -138,7 +138,7 @@ scored winnerWithout(const gateContext& a, const label channel)
         )
     );
     scalar own = GREAT;
-    for (const scored& w : all)
+    for (const hypothesisFit& w : all)
     {
         // Something unknown is scored beside the best few only. It does not speak
         // for what it is beside: it may match what that does not
@@ -148,7 +148,7 @@ scored winnerWithout(const gateContext& a, const label channel)
             own = w.score;
         }
     }
-    for (const scored& w : all)
+    for (const hypothesisFit& w : all)
     {
         const bool other =
             w.what.fault ? true
@@ -179,7 +179,7 @@ std::vector<winner> winnersWithoutChannels(const gateContext& a)
     std::vector<winner> winners;
     for (label i = 0; i < n; ++i)
     {
-        const scored w(winnerWithout(a, i));
+        const hypothesisFit w(winnerWithout(a, i));
         if (!(w.what == a.what()))
         {
             winners.push_back({channels[i].name, w});

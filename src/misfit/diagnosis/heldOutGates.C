@@ -81,7 +81,7 @@ gate degradesHeldOutGate
     const label number
 )
 {
-    const scored& best = explained.best();
+    const hypothesisFit& best = explained.best();
     const bool worse =
         best.what.mechanisms.size() && h.squareAfter > h.squareBefore;
     gate g

@@ -14,7 +14,7 @@ using namespace Foam::misfit;
 samples withFault
 (
     const study& s,
-    const scored& best,
+    const hypothesisFit& best,
     const observation& recorded,
     samples given
 )
@@ -37,7 +37,7 @@ samples withFault
 
 //- What one standard deviation along each axis of what the calibration leaves
 //  uncertain changes in the variables, within their bounds
-std::vector<vec> calibrationSteps(const study& s, const scored& base)
+std::vector<vec> calibrationSteps(const study& s, const hypothesisFit& base)
 {
     std::vector<vec> steps
     (

@@ -12,7 +12,7 @@ using namespace Foam;
 using namespace Foam::misfit;
 
 //- Computes an explanation and notes what the solver gave
-scored recompute(study& s, explanations& e, const scored& w)
+hypothesisFit recompute(study& s, explanations& e, const hypothesisFit& w)
 {
     const evaluation c(refit(s, w));
     e.note(c);
@@ -25,9 +25,9 @@ void preferAmongRivals(const study& s, explanations& e)
     e.sort();
 
     // What all rivals have on is the answer, if that alone is one of them
-    const std::vector<scored> near(e.rivals(s.set));
+    const std::vector<hypothesisFit> near(e.rivals(s.set));
     const std::vector<int> core(commonMechanisms(near));
-    for (const scored& w : near)
+    for (const hypothesisFit& w : near)
     {
         if (core.size() && w.what.mechanisms.size() == core.size())
         {
@@ -55,7 +55,7 @@ void preferAmongRivals(const study& s, explanations& e)
 void refitBest(study& s, explanations& e)
 {
     Info<< "Refit of the best explanations" << endl;
-    std::vector<scored>& all = e.all();
+    std::vector<hypothesisFit>& all = e.all();
     const label n = s.set.refit;
 
     // The first run of each, side by side; the passes find them done
@@ -71,7 +71,7 @@ void refitBest(study& s, explanations& e)
 
     // The base too; then the best, until the best of all was computed
     std::vector<hypothesis> done;
-    for (scored& w : all)
+    for (hypothesisFit& w : all)
     {
         if (w.what.isNone())
         {
@@ -104,16 +104,16 @@ void refitBest(study& s, explanations& e)
 //  solver makes worse gives way to the next
 void prefer(study& s, explanations& e, const bool detected)
 {
-    std::vector<hypothesis> tried;
+    std::vector<hypothesis> attempts;
     for (label n = 0; n < s.set.refit + 2; ++n)
     {
         preferAmongRivals(s, e);
         const hypothesis what(e.best().what);
-        if (!detected || e.find(what) || statistics::contains(tried, what))
+        if (!detected || e.find(what) || statistics::contains(attempts, what))
         {
             return;
         }
-        tried.push_back(what);
+        attempts.push_back(what);
         e.all().front() = recompute(s, e, e.best());
     }
     preferAmongRivals(s, e);
@@ -124,7 +124,7 @@ void prefer(study& s, explanations& e, const bool detected)
 
 Foam::misfit::evaluation Foam::misfit::refit
 (
-    const scored& start,
+    const hypothesisFit& start,
     const rules& limits,
     const vec& width,
     const refitSteps& with
@@ -132,9 +132,9 @@ Foam::misfit::evaluation Foam::misfit::refit
 {
     evaluation r;
     r.best = start;
-    scored least(start);
-    scored onward(start);
-    scored next(start);
+    hypothesisFit least(start);
+    hypothesisFit onward(start);
+    hypothesisFit next(start);
     scalar share = 1;
     for (label pass = 0; pass < limits.passes; ++pass)
     {
@@ -151,7 +151,7 @@ Foam::misfit::evaluation Foam::misfit::refit
         if (given.ok())
         {
             with.passThrough(x, given);
-            const scored here(with.stay(next));
+            const hypothesisFit here(with.stay(next));
             better = !pass || here.score < least.score;
             if (better)
             {
@@ -191,13 +191,13 @@ Foam::misfit::evaluation Foam::misfit::refit
 Foam::misfit::evaluation Foam::misfit::refit
 (
     study& s,
-    const scored& start,
+    const hypothesisFit& start,
     const whitener* white
 )
 {
     sampledModel local(s.calibration);
     refitSteps with;
-    with.expand = [&](const scored& now)
+    with.expand = [&](const hypothesisFit& now)
     {
         return local.model(now.what).expand(now.best.x);
     };
@@ -209,12 +209,12 @@ Foam::misfit::evaluation Foam::misfit::refit
     {
         local.passThrough(x, given.calibration);
     };
-    with.stay = [&](const scored& now)
+    with.stay = [&](const hypothesisFit& now)
     {
         const scoring score(local.score());
         return white ? score.where(now, *white) : score.where(now);
     };
-    with.fit = [&](const scored& now)
+    with.fit = [&](const hypothesisFit& now)
     {
         const scoring score(local.score());
         return white ? score.again(now, *white) : score.withOwnCovariance(now);

@@ -43,7 +43,7 @@ bool isOpposite
 Foam::misfit::screenedCandidates Foam::misfit::screen
 (
     const study& s,
-    const scored& base,
+    const hypothesisFit& base,
     const std::vector<int>& failing
 )
 {

@@ -7,7 +7,7 @@ Foam::misfit::separation Foam::misfit::separate
 (
     const study& s,
     const std::vector<int>& mechanisms,
-    const scored& base
+    const hypothesisFit& base
 )
 {
     const sampledModel& calibration = s.calibration;
@@ -53,12 +53,12 @@ Foam::misfit::advice Foam::misfit::measurementBetween
 (
     const study& s,
     const explanations& explained,
-    const std::vector<scored>& alternatives
+    const std::vector<hypothesisFit>& alternatives
 )
 {
     advice result;
     std::vector<evaluation> two;
-    for (const scored& w : alternatives)
+    for (const hypothesisFit& w : alternatives)
     {
         if (two.size() < 2 && !w.what.isNone() && !w.what.isOnlyUnknown())
         {

@@ -31,13 +31,13 @@ bool isSame(const std::vector<int>& a, const std::vector<int>& b)
 
 
 //- Without those that add to another
-std::vector<scored> simplest(const std::vector<scored>& list)
+std::vector<hypothesisFit> simplest(const std::vector<hypothesisFit>& list)
 {
-    std::vector<scored> kept;
-    for (const scored& w : list)
+    std::vector<hypothesisFit> kept;
+    for (const hypothesisFit& w : list)
     {
         bool adds = false;
-        for (const scored& other : list)
+        for (const hypothesisFit& other : list)
         {
             adds = adds || w.what.extends(other.what);
         }
@@ -51,9 +51,9 @@ std::vector<scored> simplest(const std::vector<scored>& list)
 
 
 //- True if all are faults of the channel of the best, or its exchange
-bool blameTheSame(const std::vector<scored>& near, const hypothesis& best)
+bool blameTheSame(const std::vector<hypothesisFit>& near, const hypothesis& best)
 {
-    for (const scored& w : near)
+    for (const hypothesisFit& w : near)
     {
         const bool same =
             w.what.fault && best.fault
@@ -69,7 +69,7 @@ bool blameTheSame(const std::vector<scored>& near, const hypothesis& best)
 
 //- The simplest of these are the answer: one that adds to another of the set says
 //  nothing more
-decision setOf(const std::vector<scored>& all)
+decision setOf(const std::vector<hypothesisFit>& all)
 {
     decision d;
     d.kind = verdictKind::set;
@@ -106,11 +106,11 @@ decision nameOf(const wordList& mechanisms)
 decision judge
 (
     const study& s,
-    const std::vector<scored>& near,
+    const std::vector<hypothesisFit>& near,
     const hypothesis& best
 )
 {
-    for (const scored& w : near)
+    for (const hypothesisFit& w : near)
     {
         if (w.what.isOnlyUnknown())
         {
@@ -131,19 +131,19 @@ decision judge
 
 
 //- The simplest of these, and what wins without a channel
-std::vector<scored> withWinners
+std::vector<hypothesisFit> withWinners
 (
-    const std::vector<scored>& list,
+    const std::vector<hypothesisFit>& list,
     const std::vector<winner>& winners
 )
 {
-    std::vector<scored> near(simplest(list));
+    std::vector<hypothesisFit> near(simplest(list));
     for (const winner& without : winners)
     {
         // What all data support does not give way to what wins on fewer
         const hypothesis& h = without.what.what;
         bool another = !isAmong(near, without.what);
-        for (const scored& n : near)
+        for (const hypothesisFit& n : near)
         {
             another = another && !n.what.extends(h) && !h.extends(n.what);
         }
@@ -160,7 +160,7 @@ std::vector<scored> withWinners
 decision weaken
 (
     const study& s,
-    const std::vector<scored>& near,
+    const std::vector<hypothesisFit>& near,
     const evidence& e,
     const verdictKind kind
 )
@@ -170,8 +170,8 @@ decision weaken
     {
         return setOf(withWinners(near, winners));
     }
-    const std::vector<scored> best(1, e.best());
-    std::vector<scored> all(best);
+    const std::vector<hypothesisFit> best(1, e.best());
+    std::vector<hypothesisFit> all(best);
     for (const winner& without : winners)
     {
         all.push_back(without.what);
@@ -209,7 +209,7 @@ bool confirmsNone(const gateTests& tests)
 decision choose
 (
     const study& s,
-    const std::vector<scored>& rivals,
+    const std::vector<hypothesisFit>& rivals,
     const evidence& e
 )
 {
@@ -247,7 +247,7 @@ decision choose
 List<fittedStrength> strengthsOf
 (
     const study& s,
-    const scored& best,
+    const hypothesisFit& best,
     const decision& d
 )
 {
@@ -270,7 +270,7 @@ List<fittedStrength> strengthsOf
 
 
 //- The best fit with nothing on but what is named
-runState namedState(const study& s, const scored& best, const wordList& names)
+runState namedState(const study& s, const hypothesisFit& best, const wordList& names)
 {
     runState named(s.state(s.calibration.model(best.what).expand(best.best.x)));
     for (const word& name : named.strengths.toc())
@@ -318,7 +318,7 @@ Foam::misfit::decision
 Foam::misfit::decide(const study& s, const evidence& e)
 {
     Info<< "Verdict" << endl;
-    const std::vector<scored> rivals(e.explained.rivals(s.set));
+    const std::vector<hypothesisFit> rivals(e.explained.rivals(s.set));
     decision d(choose(s, rivals, e));
     d.rivals = rivals;
 

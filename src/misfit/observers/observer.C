@@ -278,17 +278,17 @@ Foam::misfit::observer::observer(const channel& c)
 :
     of(c)
 {
-    const wayToObserve& its = types()
+    const wayToObserve& way = types()
     [
         keywords::choice
         (
             c.simulated, "type", "way to observe " + c.name, types().sortedToc()
         )
     ];
-    wordList keys(its.keys);
+    wordList keys(way.keys);
     keys.append("type");
     keywords::check(c.simulated, keys);
-    its.observe(*this);
+    way.observe(*this);
 
     const scalar scale = c.simulated.getOrDefault<scalar>("scale", 1);
     const scalar offset = c.simulated.getOrDefault<scalar>("offset", 0);

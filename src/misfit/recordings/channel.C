@@ -131,16 +131,16 @@ void doubtUncertainty(const channel& c)
 
 Foam::misfit::channel::channel
 (
-    const word& itsName,
+    const word& channelName,
     const dictionary& dict,
-    const purpose itsUse,
+    const purpose channelUse,
     const fileName& folder,
     const label nSamples
 )
 :
-    name(itsName),
+    name(channelName),
     experiment(dict.getOrDefault<word>("experiment", "A")),
-    use(itsUse),
+    use(channelUse),
     at(dict.getOrDefault<scalar>("at", dict.found("value") ? 0 : -1)),
     interval
     (

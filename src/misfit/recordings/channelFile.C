@@ -24,10 +24,10 @@ fileName expanded(const dictionary& dict, const string& name)
 {
     // One with a default, ${NAME:-folder}, need not be set
     const std::regex variable(R"(\$(?:(\w+)|\{(\w+)\}))");
-    std::sregex_iterator found(name.begin(), name.end(), variable);
-    for (; found != std::sregex_iterator(); ++found)
+    std::sregex_iterator match(name.begin(), name.end(), variable);
+    for (; match != std::sregex_iterator(); ++match)
     {
-        const word needed((*found)[1].str() + (*found)[2].str());
+        const word needed((*match)[1].str() + (*match)[2].str());
         if (getEnv(needed).empty())
         {
             FatalIOErrorInFunction(dict)
@@ -81,8 +81,8 @@ const unit& checkedUnit
 )
 {
     const dimensionSet& expected = *findQuantity(quantity);
-    const unit* found = findUnit(name);
-    if (!found || found->dimensions != expected)
+    const unit* known = findUnit(name);
+    if (!known || known->dimensions != expected)
     {
         FatalIOErrorInFunction(dict)
             << what.c_str() << " is in " << name << ", which is no unit of "
@@ -90,7 +90,7 @@ const unit& checkedUnit
             << keywords::listed(unitsOf(expected)).c_str()
             << exit(FatalIOError);
     }
-    return *found;
+    return *known;
 }
 
 

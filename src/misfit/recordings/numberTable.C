@@ -118,8 +118,8 @@ void addWritten(numberTable& t, const fileName& file)
 //- The times of which a function object wrote folders, in their order
 instantList timesIn(const fileName& folder)
 {
-    const instantList found(TimePaths::findTimes(folder));
-    if (found.empty())
+    const instantList result(TimePaths::findTimes(folder));
+    if (result.empty())
     {
         FatalErrorInFunction
             << "The run wrote nothing in " << folder
@@ -127,7 +127,7 @@ instantList timesIn(const fileName& folder)
             << " probe or a level: has the solver a field of that name?"
             << exit(FatalError);
     }
-    return found;
+    return result;
 }
 
 

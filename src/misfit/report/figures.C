@@ -43,11 +43,11 @@ std::string seriesVariables
 (
     const stacked& data,
     const std::string& file,
-    const bool found
+    const bool hasFinding
 )
 {
     std::ostringstream os;
-    os  << "file = '" << file << "'; found = " << found << "; n = "
+    os  << "file = '" << file << "'; found = " << hasFinding << "; n = "
         << data.segments.size()
         << "\narray Title[n]; array Unit[n]; array Axis[n]; array Length[n]\n";
     label i = 0;
@@ -129,7 +129,7 @@ Foam::List<Foam::fileName> Foam::misfit::drawFigures
 )
 {
     mkDir(folder);
-    const bool found =
+    const bool hasFinding =
         f.correction.after.size()
      || (
             f.verdict.kind != verdictKind::none
@@ -150,7 +150,7 @@ Foam::List<Foam::fileName> Foam::misfit::drawFigures
         const heldOut& h = f.held()[i];
         const std::string name("heldOut" + std::to_string(i + 1));
         writeSeries(folder/name + ".dat", h.data, h.sigma, h.before, h.after);
-        script(name, seriesVariables(h.data, name, found), "series.gp");
+        script(name, seriesVariables(h.data, name, hasFinding), "series.gp");
     }
     const misfitDetection& fitted = f.detection;
     const decision& verdict = f.verdict;
@@ -158,7 +158,7 @@ Foam::List<Foam::fileName> Foam::misfit::drawFigures
     (
         folder/"fitted.dat", fitted.data, fitted.sigma, verdict.before, verdict.after
     );
-    script("fitted", seriesVariables(fitted.data, "fitted", found), "series.gp");
+    script("fitted", seriesVariables(fitted.data, "fitted", hasFinding), "series.gp");
 
     label row = 0;
     std::ostringstream rows;
@@ -187,7 +187,7 @@ Foam::List<Foam::fileName> Foam::misfit::drawFigures
     script
     (
         "map",
-        "found = " + std::to_string(found) + "; n = " + std::to_string(row)
+        "found = " + std::to_string(hasFinding) + "; n = " + std::to_string(row)
       + "\narray Name[n]\n" + rows.str(),
         "map.gp"
     );

@@ -38,9 +38,9 @@ string percent(const scalar share)
 
 
 //- True if the answer, or what explains best, has that candidate
-bool isMeant(const finding& f, const word& name)
+bool isInAnswer(const finding& f, const word& name)
 {
-    const auto has = [&](const scored& w)
+    const auto has = [&](const hypothesisFit& w)
     {
         return std::any_of
         (
@@ -48,7 +48,7 @@ bool isMeant(const finding& f, const word& name)
             [&](const int m) { return f.library[m] == name; }
         );
     };
-    const std::vector<scored>& others = f.verdict.alternatives;
+    const std::vector<hypothesisFit>& others = f.verdict.alternatives;
     return
         f.verdict.names.found(name) || has(f.best())
      || std::any_of(others.begin(), others.end(), has);
@@ -108,13 +108,13 @@ void addAnswer(json& page, const finding& f)
 //- The first of them, with what each is behind the best
 json scoredFirst(const finding& f)
 {
-    std::vector<const scored*> list(f.explained.byScore());
+    std::vector<const hypothesisFit*> list(f.explained.byScore());
     const scalar best = list.front()->score;
     list.resize(std::min(list.size(), size_t(8)));
 
     // The same fault may be there with several sizes
     bool judged = false;
-    return each(list, [&](const scored* w) -> json
+    return each(list, [&](const hypothesisFit* w) -> json
     {
         const string name(describe(w->what, f.library));
         const bool isJudged = !judged && name == describe(f.best().what, f.library);
@@ -170,7 +170,7 @@ json candidates(const finding& f, const origin& from)
         {
             {"name", c.name},
             {"title", c.title},
-            {"isMeant", c.title != c.name && isMeant(f, c.name)},
+            {"isMeant", c.title != c.name && isInAnswer(f, c.name)},
             {"sets", joined(c.changes, "; ", set)},
             {"found", strength == all.end() ? json() : json(strength->value)}
         };
@@ -272,7 +272,7 @@ std::string Foam::misfit::reportHtml
     // Where mechanisms are named, what they change counts too
     page["isOfCause"] = f.verdict.strengths.size() && !f.best().what.unknown;
     keepFirst(5, page["located"]);
-    if (f.correction.isTried)
+    if (f.correction.isRequested)
     {
         addToCorrection(page["freeCorrection"], f.correction);
     }
@@ -285,5 +285,5 @@ std::string Foam::misfit::reportHtml
     page["uncertain"] =
         each(f.detection.data.segments, [&f](const segment& s) { return uncertain(f, s); });
 
-    return filled("report.html", page);
+    return fillTemplate("report.html", page);
 }

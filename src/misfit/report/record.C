@@ -26,7 +26,7 @@ json deviation(const scalar value, const bool pinned)
 json parameters(const finding& f)
 {
     json all = json::array();
-    const fitted& with = f.best().best;
+    const fitResult& with = f.best().best;
     forAll(f.detection.parameters, i)
     {
         const calibratedParameter& p = f.detection.parameters[i];
@@ -58,7 +58,7 @@ json fault(const finding& f)
     {
         return nullptr;
     }
-    const fitted& best = f.best().best;
+    const fitResult& best = f.best().best;
     const label n = what.fault->size();
     json deviations = json::array();
     for (label i = best.x.size() - n; i < best.x.size(); ++i)
@@ -176,7 +176,7 @@ json uncertainty(const finding& f)
 json posterior(const finding& f)
 {
     json all = json::array();
-    for (const scored* w : f.explained.byScore())
+    for (const hypothesisFit* w : f.explained.byScore())
     {
         if (w->probability > 1e-4)
         {
@@ -261,7 +261,7 @@ Foam::misfit::recordOf(const finding& f, const string& title)
         {"uncertainty", uncertainty(f)},
         {"gates", each(f.tests.gates, numbers)},
         {"heldOut", each(f.held(), &match)},
-        {"freeCorrection", f.correction.isTried ? freeCorrection(f.correction) : json()},
+        {"freeCorrection", f.correction.isRequested ? freeCorrection(f.correction) : json()},
         {"posterior", posterior(f)},
         {"dropped", each(f.candidates.dropped, why)},
         {"failedRuns", each(f.failedRuns, [](const auto& run) { return describe(run); })},

@@ -20,14 +20,14 @@ using namespace Foam;
 using namespace Foam::misfit;
 namespace mustache = kainjow::mustache;
 
-mustache::data filling(const json& from)
+mustache::data mustacheData(const json& from)
 {
     if (from.is_object())
     {
         mustache::object all;
         for (const auto& [key, value] : from.items())
         {
-            all.emplace(key, filling(value));
+            all.emplace(key, mustacheData(value));
             if (value.is_array())
             {
                 all.emplace(key + '?', !value.empty());
@@ -38,7 +38,7 @@ mustache::data filling(const json& from)
     if (from.is_array())
     {
         mustache::list all;
-        std::transform(from.begin(), from.end(), std::back_inserter(all), &filling);
+        std::transform(from.begin(), from.end(), std::back_inserter(all), &mustacheData);
         return all;
     }
     if (from.is_boolean() || from.is_null() || from == "")
@@ -101,9 +101,9 @@ Foam::string Foam::misfit::templateText(const word& file)
 }
 
 
-std::string Foam::misfit::filled(const word& file, const json& from)
+std::string Foam::misfit::fillTemplate(const word& file, const json& from)
 {
-    return checkedTemplate(file, templateText(file)).render(filling(from));
+    return checkedTemplate(file, templateText(file)).render(mustacheData(from));
 }
 
 
@@ -118,5 +118,5 @@ Foam::string Foam::misfit::renderTemplate(const word& part, const json& facts)
         }()
     );
     words.set_custom_escape([](const std::string& text) { return text; });
-    return words.render(mustache::object{{part, filling(facts)}});
+    return words.render(mustache::object{{part, mustacheData(facts)}});
 }

@@ -13,9 +13,9 @@ using namespace Foam::misfit;
 
 //- The best explanation that has more on than the one that is judged; null if it does
 //  not
-const scored* betterWithMore(const finding& f)
+const hypothesisFit* betterWithMore(const finding& f)
 {
-    for (const scored& w : f.explained.all())
+    for (const hypothesisFit& w : f.explained.all())
     {
         const bool more =
             w.what.mechanisms.size() > f.best().what.mechanisms.size()
@@ -41,7 +41,7 @@ string theBest(const finding& f)
     }
     else if (!what.isOnlyUnknown())
     {
-        const scored* more = betterWithMore(f);
+        const hypothesisFit* more = betterWithMore(f);
         facts[more ? "simple" : "alone"] = describe(what, f.library);
         facts["more"] = more ? describe(more->what, f.library) : string();
     }
@@ -74,7 +74,7 @@ void addUnknown(json& facts, const finding& f)
 void addFault(json& facts, const finding& f)
 {
     const sensorFault& fault = *f.best().what.fault;
-    const fitted& best = f.best().best;
+    const fitResult& best = f.best().best;
     const vec size = best.x.tail(fault.size());
     segment at(f.detection.data.segments.front());
     for (const segment& s : f.detection.data.segments)
@@ -96,18 +96,18 @@ void addFault(json& facts, const finding& f)
 
 string alternatives(const finding& f)
 {
-    const auto isMixed = [](const scored& w)
+    const auto isMixed = [](const hypothesisFit& w)
     {
         return
             w.what.mechanisms.size() > 1
          || (w.what.unknown && w.what.mechanisms.size());
     };
-    const std::vector<scored>& all = f.verdict.alternatives;
+    const std::vector<hypothesisFit>& all = f.verdict.alternatives;
     if (std::none_of(all.begin(), all.end(), isMixed))
     {
         return inWords(answerOf(f), "or");
     }
-    return joined(all, ", or ", [&f](const scored& w)
+    return joined(all, ", or ", [&f](const hypothesisFit& w)
     {
         return
             describe(w.what, f.library)
@@ -119,10 +119,10 @@ string alternatives(const finding& f)
 //- True if both of a set at once are as good as one of them
 bool mayBeTogether(const finding& f)
 {
-    const auto hasOne = [](const scored& w) { return w.what.mechanisms.size() == 1; };
-    const auto hasBoth = [&f](const scored& w)
+    const auto hasOne = [](const hypothesisFit& w) { return w.what.mechanisms.size() == 1; };
+    const auto hasBoth = [&f](const hypothesisFit& w)
     {
-        const auto has = [&w](const scored& one)
+        const auto has = [&w](const hypothesisFit& one)
         {
             return statistics::contains
             (
@@ -164,7 +164,7 @@ json strengths(const finding& f)
 json winsWithout(const finding& f)
 {
     json all = json::array();
-    for (const scored& one : f.verdict.alternatives)
+    for (const hypothesisFit& one : f.verdict.alternatives)
     {
         wordList channels;
         for (const winner& w : f.tests.winners)
@@ -206,7 +206,7 @@ void addLeftOut(json& facts, const finding& f)
     // A lead of less is not worth a mention (Kass & Raftery 1995, J. Am. Stat.
     // Assoc. 90:777)
     const scalar mention = 2;
-    const scored* more = betterWithMore(f);
+    const hypothesisFit* more = betterWithMore(f);
     const bool leads = more && more->score < f.best().score - mention;
     if (f.verdict.kind == verdictKind::named && leads)
     {
@@ -231,7 +231,7 @@ void addLeftOut(json& facts, const finding& f)
 Foam::wordList Foam::misfit::answerOf(const finding& f)
 {
     wordList names(f.verdict.names);
-    for (const scored& w : f.verdict.alternatives)
+    for (const hypothesisFit& w : f.verdict.alternatives)
     {
         // As where one is named, names are of mechanisms and faults
         names.append(word(describe(w.what.known(), f.library), false));
@@ -286,7 +286,7 @@ Foam::string Foam::misfit::describe(const finding& f)
     {
         addLeftOut(facts, f);
     }
-    return renderTemplate("verdict", facts) + (c.isTried ? ' ' + describe(c) : string());
+    return renderTemplate("verdict", facts) + (c.isRequested ? ' ' + describe(c) : string());
 }
 
 

@@ -104,7 +104,7 @@ void Foam::misfit::caseChange::applyToScript
 ) const
 {
     std::string text;
-    label found = 0;
+    label matches = 0;
     {
         IFstream is(path);
         std::string s;
@@ -116,15 +116,15 @@ void Foam::misfit::caseChange::applyToScript
             if (command == "variable" && name == name_ && style == "equal")
             {
                 s = "variable " + name_ + " equal " + value;
-                ++found;
+                ++matches;
             }
             text += s + '\n';
         }
     }
-    if (found != 1)
+    if (matches != 1)
     {
         FatalErrorInFunction
-            << path << " has " << found << " lines \"variable "
+            << path << " has " << matches << " lines \"variable "
             << name_.c_str() << " equal ...\"; one is needed to change it"
             << exit(FatalError);
     }

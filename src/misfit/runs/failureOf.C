@@ -5,14 +5,14 @@
 #include "error.H"
 #include "IOstreams.H"
 
-Foam::string Foam::misfit::failureOf(const std::function<void()>& tried)
+Foam::string Foam::misfit::failureOf(const std::function<void()>& attempts)
 {
     const bool threw = FatalError.throwExceptions();
     const bool threwIO = FatalIOError.throwExceptions();
     string failure;
     try
     {
-        tried();
+        attempts();
     }
     catch (const Foam::IOerror& e)
     {

@@ -273,9 +273,9 @@ Foam::fileName Foam::misfit::runStore::caseOf(const runRequest& run) const
 
 bool Foam::misfit::runStore::isFinished(const runRequest& run) const
 {
-    const word its(name(run));
-    const runEnd end(folder_/its);
-    if (!end.isKnown() || end.isWell() || tried_.found(its))
+    const word runName(name(run));
+    const runEnd end(folder_/runName);
+    if (!end.isKnown() || end.isWell() || attempts_.found(runName))
     {
         return end.isKnown();
     }
@@ -286,7 +286,7 @@ bool Foam::misfit::runStore::isFinished(const runRequest& run) const
 
     // That it failed need not be its own fault: the disk may have been full. But
     // what fails twice is not to cost a run in each call
-    return isFile(folder_/its/failedBefore, false) && !end.isStopped();
+    return isFile(folder_/runName/failedBefore, false) && !end.isStopped();
 }
 
 
@@ -352,7 +352,7 @@ void Foam::misfit::runStore::finish(const List<runRequest>& runs)
     }
 
     template_.checkUnchanged();
-    tried_ |= todo;
+    attempts_ |= todo;
     if (failed)
     {
         Info<< "    Of these runs, " << failed << " failed in an earlier call and"

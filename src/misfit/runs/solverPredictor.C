@@ -214,21 +214,21 @@ Foam::misfit::solverPredictor::predict(const List<runState>& states)
     }
     store_.finish(runs);
 
-    List<prediction> found(states.size());
+    List<prediction> result(states.size());
     forAll(states, i)
     {
         checkPlacesIn(store_.caseOf(runs[i]), states[i].experiment);
         checkWater(states[i], runs[i]);
-        found[i] = read(states[i], runs[i]);
-        if (!found[i].ok())
+        result[i] = read(states[i], runs[i]);
+        if (!result[i].ok())
         {
             Info<< "    Failed: " << describe(states[i]).c_str() << ": "
-                << found[i].failure.c_str() << nl << "    kept in "
+                << result[i].failure.c_str() << nl << "    kept in "
                 << store_.caseOf(runs[i]).path()
                 << ": remove this folder to have it done again" << endl;
         }
     }
-    return found;
+    return result;
 }
 
 

@@ -84,12 +84,12 @@ fileName inCase(const fileName& part)
 
 Foam::fileNameList Foam::misfit::templateCase::parts() const
 {
-    fileNameList found;
-    found.append(isDir(folder/original) ? original : string("0"));
-    found.append("constant");
-    found.append("system");
-    found.append(files_);
-    return found;
+    fileNameList result;
+    result.append(isDir(folder/original) ? original : string("0"));
+    result.append("constant");
+    result.append("system");
+    result.append(files_);
+    return result;
 }
 
 
@@ -119,7 +119,7 @@ Foam::misfit::templateCase::digests() const
     for (const fileName& f : files())
     {
         const bool ofMesh = f.find("/polyMesh/") != string::npos;
-        const bool asks = f.name() == "misfitDict" || f.name() == asking_;
+        const bool asks = f.name() == "misfitDict" || f.name() == dictionaryName_;
         if (!asks && !(ofMesh && meshIsMade_))
         {
             all[f.substr(folder.size())] = digest(contentOf(f));
@@ -133,16 +133,16 @@ Foam::misfit::templateCase::digests() const
 
 Foam::misfit::templateCase::templateCase
 (
-    const fileName& itsFolder,
+    const fileName& caseFolder,
     const fileNameList& files,
-    const word& asking,
+    const word& dictionaryName,
     const bool meshIsMade
 )
 :
     files_(files),
-    asking_(asking),
+    dictionaryName_(dictionaryName),
     meshIsMade_(meshIsMade),
-    folder(itsFolder)
+    folder(caseFolder)
 {
     for (const fileName& part : parts())
     {
@@ -225,11 +225,11 @@ Foam::string Foam::misfit::templateCase::message
     const fileName& copy
 ) const
 {
-    string its(words);
+    string text(words);
     if (isDir(folder/original))
     {
-        its.replaceAll(copy/"0/", folder/(original + '/'));
+        text.replaceAll(copy/"0/", folder/(original + '/'));
     }
-    its.replaceAll(copy, folder);
-    return its;
+    text.replaceAll(copy, folder);
+    return text;
 }

@@ -32,7 +32,7 @@ vec evaluate
     const fittedModel& model,
     const vec& y,
     const whitener& white,
-    fitted& at
+    fitResult& at
 )
 {
     at.f = model(at.x);
@@ -80,7 +80,7 @@ void findCovariance
 (
     const fittedModel& model,
     const whitener& white,
-    fitted& at
+    fitResult& at
 )
 {
     const int n = at.x.size();
@@ -121,7 +121,7 @@ struct problem
     //- In which the curvature is 1 at the start: no variable outweighs the others
     vec units;
 
-    fitted at;
+    fitResult at;
 
     //- What the model threw: NLopt keeps no more than that it did
     std::exception_ptr thrown;
@@ -200,7 +200,7 @@ vec inside(const fittedModel& model, const vec& x)
 
 
 //- The best that one search finds from x
-fitted searched
+fitResult searchFrom
 (
     const fittedModel& model,
     const vec& y,
@@ -208,7 +208,7 @@ fitted searched
     const vec& x
 )
 {
-    problem p{model, y, white, unitsAt(model, white, x), fitted(), nullptr};
+    problem p{model, y, white, unitsAt(model, white, x), fitResult(), nullptr};
     std::vector<double> best = p.scaled(inside(model, x));
     if (best.size())
     {
@@ -242,7 +242,7 @@ fitted searched
 }
 
 
-fitted fitFrom
+fitResult fitFrom
 (
     const fittedModel& model,
     const vec& y,
@@ -250,7 +250,7 @@ fitted fitFrom
     const vec& start
 )
 {
-    fitted best(searched(model, y, white, start));
+    fitResult best(searchFrom(model, y, white, start));
 
     // From where it ended, in units of that place, as long as this gains. In the 40 quick
     // cases of validation/misfit/concealed 8 of 50,931 searches gain more than 0.001 by it, 0.23
@@ -259,7 +259,7 @@ fitted fitFrom
     double gain = best.objective;
     for (int pass = 0; pass < 10 && gain > 1e-8*(1 + best.objective); ++pass)
     {
-        const fitted next(searched(model, y, white, best.x));
+        const fitResult next(searchFrom(model, y, white, best.x));
         gain = best.objective - next.objective;
         if (gain > 0)
         {
@@ -289,18 +289,18 @@ statistics::mat statistics::covarianceWithin
 }
 
 
-statistics::fitted statistics::fit
+statistics::fitResult statistics::fit
 (
     const fittedModel& model,
     const vec& y,
     const whitener& white
 )
 {
-    fitted best;
+    fitResult best;
     best.objective = large;
     for (const vec& start : model.starts())
     {
-        const fitted one(fitFrom(model, y, white, start));
+        const fitResult one(fitFrom(model, y, white, start));
         if (one.objective < best.objective)
         {
             best = one;
@@ -315,7 +315,7 @@ statistics::fitted statistics::fit
 }
 
 
-statistics::fitted statistics::unfitted
+statistics::fitResult statistics::fitAt
 (
     const fittedModel& model,
     const vec& y,
@@ -323,7 +323,7 @@ statistics::fitted statistics::unfitted
     const vec& x
 )
 {
-    fitted there;
+    fitResult there;
     there.x = x;
     evaluate(model, y, white, there);
     findCovariance(model, white, there);

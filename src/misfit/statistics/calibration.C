@@ -174,7 +174,7 @@ std::vector<statistics::vec> statistics::calibration::starts() const
 }
 
 
-statistics::fitted statistics::calibration::choose
+statistics::fitResult statistics::calibration::choose
 (
     vec& all,
     vec& deviations
@@ -182,13 +182,13 @@ statistics::fitted statistics::calibration::choose
 {
     const vec deviation = below(&calibrationTarget::deviation);
     const whitener white(mat(deviation.cwiseAbs2().asDiagonal()));
-    fitted best;
+    fitResult best;
     best.objective = large;
 
     for (const vec& levels : combinations())
     {
         setLevels(levels);
-        const fitted one(fit(*this, targetValues(), white));
+        const fitResult one(fit(*this, targetValues(), white));
         if (one.objective < best.objective)
         {
             best = one;

@@ -152,7 +152,7 @@ std::map<unsigned, double> columnFaults::sharesThatHold(const int column) const
 }
 
 
-void columnFaults::setChances(std::vector<columnFault>& tried) const
+void columnFaults::setChances(std::vector<columnFault>& attempts) const
 {
     std::vector<std::map<unsigned, double>> shares;
     for (int c = 0; c < count(holds_); ++c)
@@ -160,7 +160,7 @@ void columnFaults::setChances(std::vector<columnFault>& tried) const
         shares.push_back(sharesThatHold(c));
     }
 
-    for (columnFault& one : tried)
+    for (columnFault& one : attempts)
     {
         std::vector<double> chances;
         int nHold = 0;
@@ -176,7 +176,7 @@ void columnFaults::setChances(std::vector<columnFault>& tried) const
         }
         const double alone = atLeast(nHold, chances);
         one.chance =
-            alone < 1 ? -std::expm1(count(tried)*std::log1p(-alone)) : 1;
+            alone < 1 ? -std::expm1(count(attempts)*std::log1p(-alone)) : 1;
     }
 }
 
@@ -224,7 +224,7 @@ void columnFaults::addRows(std::vector<columnFault>& result) const
 }
 
 
-std::vector<columnFault> columnFaults::tried() const
+std::vector<columnFault> columnFaults::attempts() const
 {
     std::vector<columnFault> result;
     addLabels(result);

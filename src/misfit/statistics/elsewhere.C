@@ -17,7 +17,7 @@ mat predictionErrors
 (
     const sampledModel& fitted,
     const sampledModel& heldOut,
-    const scored& best
+    const hypothesisFit& best
 )
 {
     const vec& x = best.best.x;
@@ -88,7 +88,7 @@ double statistics::chanceOfDegradation
 (
     const sampledModel& fitted,
     const sampledModel& heldOut,
-    const scored& best,
+    const hypothesisFit& best,
     const vec& before,
     const vec& after,
     const double shared

@@ -14,10 +14,10 @@ using namespace statistics;
 //- What a first-order lag, T p' + p = true value, makes of a channel
 vec lagged(const segment& s, const vec& f, const double time)
 {
-    vec shown = s.of(f);
+    vec reading = s.of(f);
     if (time <= 1e-9*s.duration())
     {
-        return shown;
+        return reading;
     }
     for (int i = 1; i < s.size; ++i)
     {
@@ -25,11 +25,11 @@ vec lagged(const segment& s, const vec& f, const double time)
         const double before = f[s.first + i - 1];
         const double now = f[s.first + i];
         const double behind = time*(now - before)/h;
-        shown[i] =
+        reading[i] =
             now - behind
-          + (shown[i-1] - before + behind)*std::exp(-std::min(h/time, 700.0));
+          + (reading[i-1] - before + behind)*std::exp(-std::min(h/time, 700.0));
     }
-    return shown;
+    return reading;
 }
 
 

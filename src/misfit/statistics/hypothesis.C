@@ -121,7 +121,7 @@ statistics::vec statistics::hypothesisModel::ofFault(const vec& x) const
 
 
 statistics::vec
-statistics::hypothesisModel::shown(const vec& f, const vec& ofFault) const
+statistics::hypothesisModel::reading(const vec& f, const vec& ofFault) const
 {
     const vec all = (*fault_)(data_, f, ofFault);
     const vec uncounted = fault_->uncomputed(data_, ofFault);
@@ -153,7 +153,7 @@ statistics::vec statistics::hypothesisModel::costSlopes(const vec& x) const
 statistics::vec statistics::hypothesisModel::operator()(const vec& x) const
 {
     const vec f = surface_(expand(x));
-    return fault_ ? shown(f, ofFault(x)) : f;
+    return fault_ ? reading(f, ofFault(x)) : f;
 }
 
 
@@ -177,11 +177,11 @@ statistics::mat statistics::hypothesisModel::slopes(const vec& x) const
     constexpr double part = 1e-4;
     const vec f = surface_(all);
     const vec u = ofFault(x);
-    const vec here = shown(f, u);
+    const vec here = reading(f, u);
     for (int i = 0; i < n; ++i)
     {
         s.col(i) =
-            (shown(f + part*vec(s.col(i)), u) - here)/part;
+            (reading(f + part*vec(s.col(i)), u) - here)/part;
     }
     const vec range = fault_->upper - fault_->lower;
     for (int i = 0; i < u.size(); ++i)
@@ -190,7 +190,7 @@ statistics::mat statistics::hypothesisModel::slopes(const vec& x) const
         const double step =
             (u[i] + 1e-5*range[i] > fault_->upper[i] ? -1e-5 : 1e-5)*range[i];
         beside[i] += step;
-        s.col(n + i) = (shown(f, beside) - here)/step;
+        s.col(n + i) = (reading(f, beside) - here)/step;
     }
     return s;
 }
@@ -252,12 +252,12 @@ std::vector<statistics::vec> statistics::hypothesisModel::starts() const
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void statistics::sortByScore(std::vector<scored>& list)
+void statistics::sortByScore(std::vector<hypothesisFit>& list)
 {
     std::stable_sort
     (
         list.begin(),
         list.end(),
-        [](const scored& a, const scored& b) { return a.score < b.score; }
+        [](const hypothesisFit& a, const hypothesisFit& b) { return a.score < b.score; }
     );
 }

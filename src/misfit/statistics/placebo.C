@@ -37,7 +37,7 @@ double likeness(const vec& a, const vec& b)
 double statistics::gain(const sampledModel& m, const hypothesis& h)
 {
     const scoring score(m.score());
-    const scored base(score.base());
+    const hypothesisFit base(score.base());
     return
         base.score
       - score.withBaseCovariance(h, whitener(base.covariance)).score;
@@ -47,8 +47,8 @@ double statistics::gain(const sampledModel& m, const hypothesis& h)
 statistics::placebo::placebo
 (
     const sampledModel& m,
-    const scored& base,
-    const scored& best,
+    const hypothesisFit& base,
+    const hypothesisFit& best,
     const double lasting
 )
 {

@@ -18,14 +18,14 @@ int sortOf(const hypothesis& h)
 
 
 //- Adds twice the logarithm of the number of hypotheses of its sort
-void addNumbers(std::vector<scored>& list)
+void addNumbers(std::vector<hypothesisFit>& list)
 {
     std::vector<int> number(5, 0);
-    for (const scored& w : list)
+    for (const hypothesisFit& w : list)
     {
         ++number[sortOf(w.what)];
     }
-    for (scored& w : list)
+    for (hypothesisFit& w : list)
     {
         w.number = 2*std::log(double(number[sortOf(w.what)]));
         w.score += w.number;
@@ -35,17 +35,17 @@ void addNumbers(std::vector<scored>& list)
 } // End anonymous namespace
 
 
-void statistics::scoring::addPartly(std::vector<scored>& list) const
+void statistics::scoring::addPartly(std::vector<hypothesisFit>& list) const
 {
-    std::vector<scored> partly;
-    for (const scored& w : list)
+    std::vector<hypothesisFit> partly;
+    for (const hypothesisFit& w : list)
     {
         if (w.what.mechanisms.size() && partly.size() < 4)
         {
             partly.push_back(scoreUnknown(w));
         }
     }
-    for (const scored& w : list)
+    for (const hypothesisFit& w : list)
     {
         if (w.what.fault && w.what.fault->kind == faultKind::swapped)
         {
@@ -57,7 +57,7 @@ void statistics::scoring::addPartly(std::vector<scored>& list) const
 }
 
 
-std::vector<statistics::scored> statistics::scoring::all
+std::vector<statistics::hypothesisFit> statistics::scoring::all
 (
     const std::vector<int>& mechanisms,
     const std::vector<sensorFault>& faults,
@@ -65,10 +65,10 @@ std::vector<statistics::scored> statistics::scoring::all
 ) const
 {
     // The others start from the base with its own covariance
-    const scored none(base());
+    const hypothesisFit none(base());
     const whitener white(none.covariance);
 
-    std::vector<scored> list;
+    std::vector<hypothesisFit> list;
     list.push_back(withBaseCovariance(hypothesis(), white));
     for (int i = 0; i < count(mechanisms); ++i)
     {
@@ -85,7 +85,7 @@ std::vector<statistics::scored> statistics::scoring::all
     {
         hypothesis h;
         h.fault = fault;
-        scored w
+        hypothesisFit w
         (
             (fault.noiseScales(data_).array() == 1).all()
           ? withBaseCovariance(h, white)
@@ -104,7 +104,7 @@ std::vector<statistics::scored> statistics::scoring::all
     // The best, the base and each mechanism alone, with their own covariance
     const double limit = list.front().score + 30;
     int withOwn = 0;
-    for (scored& w : list)
+    for (hypothesisFit& w : list)
     {
         if (w.what.unknown)
         {
@@ -129,23 +129,23 @@ std::vector<statistics::scored> statistics::scoring::all
 
 void statistics::setProbabilities
 (
-    std::vector<scored>& list,
+    std::vector<hypothesisFit>& list,
     const double temperature
 )
 {
     double least = large;
-    for (const scored& w : list)
+    for (const hypothesisFit& w : list)
     {
         least = std::min(least, w.score);
     }
     double sum = 0;
-    for (scored& w : list)
+    for (hypothesisFit& w : list)
     {
         w.probability =
             std::exp(-std::min(0.5*(w.score - least)/temperature, 700.0));
         sum += w.probability;
     }
-    for (scored& w : list)
+    for (hypothesisFit& w : list)
     {
         w.probability /= sum;
     }

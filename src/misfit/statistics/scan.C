@@ -117,30 +117,30 @@ statistics::scan::scan
 
 // * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
 
-statistics::scanned
+statistics::scanResult
 statistics::scan::operator()(const vec& misfit, const double level) const
 {
     vec u = white_(misfit);
-    scanned found;
-    found.sum = u.squaredNorm();
-    found.pSum = chance(sums_, found.sum);
-    found.pWindow = chance
+    scanResult result;
+    result.sum = u.squaredNorm();
+    result.pSum = chance(sums_, result.sum);
+    result.pWindow = chance
     (
         strongest_, vec(templates_.transpose()*u).cwiseAbs().maxCoeff()
     );
 
-    while (found.windows.size() < 20)
+    while (result.windows.size() < 20)
     {
         const vec z = templates_.leftCols(places_.size()).transpose()*u;
         int best = 0;
         const double size = z.cwiseAbs().maxCoeff(&best);
         const double p = chance(strongest_, size);
-        if (found.windows.size() && p > level)
+        if (result.windows.size() && p > level)
         {
             break;
         }
-        found.windows.push_back(places_[best]);
-        found.windows.back().size = z[best];
+        result.windows.push_back(places_[best]);
+        result.windows.back().size = z[best];
         u -= z[best]*templates_.col(best);
         if (p > level)
         {
@@ -148,12 +148,12 @@ statistics::scan::operator()(const vec& misfit, const double level) const
         }
     }
 
-    const double lower = std::min(found.pWindow, found.pSum);
+    const double lower = std::min(result.pWindow, result.pSum);
     const auto reach =
         std::upper_bound(lower_.cbegin(), lower_.cend(), lower)
       - lower_.cbegin();
-    found.p = (reach + 1.0)/(lower_.size() + 1.0);
-    return found;
+    result.p = (reach + 1.0)/(lower_.size() + 1.0);
+    return result;
 }
 
 

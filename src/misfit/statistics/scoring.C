@@ -18,7 +18,7 @@ mat movedCovariance
     const covariance& known,
     const responseSurface& surface,
     const hypothesisModel& model,
-    const scored& w
+    const hypothesisFit& w
 )
 {
     const sensorFault& fault = *w.what.fault;
@@ -46,7 +46,7 @@ mat movedCovariance
 
 statistics::mat statistics::scoring::ownCovariance
 (
-    const scored& w,
+    const hypothesisFit& w,
     const vec& f
 ) const
 {
@@ -77,7 +77,7 @@ statistics::mat statistics::scoring::inUnitOf
 
 
 statistics::mat
-statistics::scoring::modelDiscrepancy(const scored& w) const
+statistics::scoring::modelDiscrepancy(const hypothesisFit& w) const
 {
     mat c = mat::Zero(data_.size(), data_.size());
     const hypothesisModel model(this->model(w.what));
@@ -121,12 +121,12 @@ statistics::mat statistics::scoring::unknownShape
 }
 
 
-statistics::scored
-statistics::scoring::scoreUnknown(const scored& base) const
+statistics::hypothesisFit
+statistics::scoring::scoreUnknown(const hypothesisFit& base) const
 {
     hypothesis h(base.what);
     h.unknown = true;
-    scored best;
+    hypothesisFit best;
     for (const double length : {0.03, 0.1, 0.3})
     {
         for (double amplitude = 0.01; amplitude < 1.5; amplitude *= 2)
@@ -135,7 +135,7 @@ statistics::scoring::scoreUnknown(const scored& base) const
             (
                 base.covariance + unknownShape(amplitude, length)
             );
-            const scored w(withBaseCovariance(h, white));
+            const hypothesisFit w(withBaseCovariance(h, white));
             if (w.score < best.score)
             {
                 best = w;
@@ -177,13 +177,13 @@ statistics::scoring::scoring
 
 // * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
 
-statistics::scored statistics::scoring::withBaseCovariance
+statistics::hypothesisFit statistics::scoring::withBaseCovariance
 (
     const hypothesis& h,
     const whitener& white
 ) const
 {
-    scored w;
+    hypothesisFit w;
     w.what = h;
     w.best = fit(model(h), data_.y, white);
     w.score =
@@ -193,7 +193,7 @@ statistics::scored statistics::scoring::withBaseCovariance
 }
 
 
-statistics::scored statistics::scoring::base() const
+statistics::hypothesisFit statistics::scoring::base() const
 {
     const vec atMean = surface_(bounds_.mean);
     const whitener white(covariance_.at(atMean));
@@ -201,15 +201,15 @@ statistics::scored statistics::scoring::base() const
 }
 
 
-statistics::scored
-statistics::scoring::withOwnCovariance(const scored& first) const
+statistics::hypothesisFit
+statistics::scoring::withOwnCovariance(const hypothesisFit& first) const
 {
-    scored w(first);
+    hypothesisFit w(first);
     if (w.what.unknown)
     {
         hypothesis known(w.what);
         known.unknown = false;
-        const scored start(withBaseCovariance(known, whitener(first.covariance)));
+        const hypothesisFit start(withBaseCovariance(known, whitener(first.covariance)));
         w = scoreUnknown(withOwnCovariance(start));
     }
     else
@@ -227,9 +227,9 @@ statistics::scoring::withOwnCovariance(const scored& first) const
 }
 
 
-statistics::scored statistics::scoring::where(const scored& w) const
+statistics::hypothesisFit statistics::scoring::where(const hypothesisFit& w) const
 {
-    scored there(w);
+    hypothesisFit there(w);
     if (!w.what.unknown)
     {
         there.covariance =
@@ -239,14 +239,14 @@ statistics::scored statistics::scoring::where(const scored& w) const
 }
 
 
-statistics::scored statistics::scoring::where
+statistics::hypothesisFit statistics::scoring::where
 (
-    const scored& w,
+    const hypothesisFit& w,
     const whitener& white
 ) const
 {
-    scored there(w);
-    there.best = unfitted(model(w.what), data_.y, white, w.best.x);
+    hypothesisFit there(w);
+    there.best = fitAt(model(w.what), data_.y, white, w.best.x);
     there.score =
         there.best.objective + white.logDeterminant()
       + w.what.size()*std::log(effectiveSize_) + w.number;
@@ -254,13 +254,13 @@ statistics::scored statistics::scoring::where
 }
 
 
-statistics::scored statistics::scoring::again
+statistics::hypothesisFit statistics::scoring::again
 (
-    const scored& w,
+    const hypothesisFit& w,
     const whitener& white
 ) const
 {
-    scored next(withBaseCovariance(w.what, white));
+    hypothesisFit next(withBaseCovariance(w.what, white));
     next.covariance = w.covariance;
     next.number = w.number;
     next.score += w.number;

@@ -94,14 +94,14 @@ statistics::vec statistics::sensorFault::operator()
     const vec& unknowns
 ) const
 {
-    vec shown = f;
+    vec reading = f;
     for (const int i : channelsOf(*this, data))
     {
         const segment& s = data.segments[i];
-        s.of(shown) =
-            rowOf(kind).shown(*this, s, otherThan(s, *this, data), f, unknowns);
+        s.of(reading) =
+            rowOf(kind).reading(*this, s, otherThan(s, *this, data), f, unknowns);
     }
-    return shown;
+    return reading;
 }
 
 

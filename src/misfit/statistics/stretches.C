@@ -15,7 +15,7 @@ std::vector<statistics::window> statistics::stretches
 {
     const vec z =
         misfit.cwiseQuotient(covariance.diagonal().cwiseSqrt());
-    std::vector<window> found;
+    std::vector<window> result;
     const auto close = [&](const int segment, const int begin, const int end)
     {
         const int first = data.segments[segment].first + begin;
@@ -27,7 +27,7 @@ std::vector<statistics::window> statistics::stretches
         const double size =
             misfit.segment(first, n).sum()
            /std::sqrt(covariance.block(first, first, n, n).sum());
-        found.push_back({segment, begin, end, size});
+        result.push_back({segment, begin, end, size});
     };
 
     for (int i = 0; i < count(data.segments); ++i)
@@ -55,9 +55,9 @@ std::vector<statistics::window> statistics::stretches
     }
     std::sort
     (
-        found.begin(),
-        found.end(),
+        result.begin(),
+        result.end(),
         [](const window& a, const window& b) { return std::abs(a.size) > std::abs(b.size); }
     );
-    return found;
+    return result;
 }

@@ -139,14 +139,14 @@ int textTable::find(const std::string& name) const
     const auto at = std::find(names.begin(), names.end(), name);
     if (at == names.end())
     {
-        std::string found;
+        std::string result;
         for (const std::string& one : names)
         {
-            found += (found.empty() ? "" : ", ") + one;
+            result += (result.empty() ? "" : ", ") + one;
         }
         throw std::invalid_argument
         (
-            "there is no column " + name + "; its first line names " + found
+            "there is no column " + name + "; its first line names " + result
         );
     }
     return at - names.begin();

@@ -90,7 +90,7 @@ TEST(misfitCalibration, theParametersThatMadeTheTargetsAreChosenAmongLevelsToo)
         calibration calibrate(viscosityAndChoice(), targets);
         vec chosen;
         vec deviations;
-        const fitted best = calibrate.choose(chosen, deviations);
+        const fitResult best = calibrate.choose(chosen, deviations);
 
         EXPECT_NEAR(chosen[0], 0.7, 1e-6);
         EXPECT_EQ(chosen[1], k);
@@ -109,7 +109,7 @@ TEST(misfitCalibration, noParameterIsBeyondItsBounds)
     calibration calibrate(viscosityAndChoice(), targets);
     vec chosen;
     vec deviations;
-    const fitted best = calibrate.choose(chosen, deviations);
+    const fitResult best = calibrate.choose(chosen, deviations);
 
     EXPECT_NEAR(chosen[0], 2, 1e-9);
     EXPECT_EQ(deviations[0], 0);

@@ -278,7 +278,7 @@ TEST(misfitScan, aDifferenceIsFoundWhereItIs)
     std::mt19937 generator(4);
     vec misfit = w.noise(generator);
     misfit.segment(40 + 10, 8).array() -= 40;
-    const scanned found(scanning(misfit, 0.05));
+    const scanResult found(scanning(misfit, 0.05));
     EXPECT_LT(found.p, 0.01);
     ASSERT_EQ(found.windows.size(), 1);
     EXPECT_EQ(found.windows[0].segment, 1);

@@ -211,7 +211,7 @@ TEST(misfitFit, withAPriorItIsTheClosedForm)
     vec y(3);
     y << 2, 3, 7;
     const whitener white(0.25*mat::Identity(3, 3));
-    const fitted best(statistics::fit(l, y, white));
+    const fitResult best(statistics::fit(l, y, white));
 
     mat precision = 4*l.a.transpose()*l.a;
     precision(0, 0) += 4;
@@ -235,14 +235,14 @@ TEST(misfitFit, variancesHaveAnyUnitsAndAFlatDirectionIsNotKnown)
     l.priorDeviation << 1e-8, 2;
     const whitener white(mat::Identity(3, 3));
     const vec y = vec::Zero(3);
-    const fitted both(statistics::fit(l, y, white));
+    const fitResult both(statistics::fit(l, y, white));
     EXPECT_NEAR(both.deviation(0), 1e-8, 1e-12);
     EXPECT_NEAR(both.deviation(1), 2, 1e-6);
 
     // Only their sum is known
     l.a.setOnes();
     l.priorDeviation.setZero();
-    const fitted sum(statistics::fit(l, y, white));
+    const fitResult sum(statistics::fit(l, y, white));
     EXPECT_GT(sum.deviation(0), 1e3);
     EXPECT_GT(sum.deviation(1), 1e3);
 }
@@ -255,7 +255,7 @@ TEST(misfitFit, variablesOfNearlyTheSameEffectAreFittedToTheEnd)
     l.a << 1, 1, 1, 1.01, 1, 1.02;
     l.priorDeviation.setZero();
     const vec truth = vec{{-40., 42.}};
-    const fitted best
+    const fitResult best
     (
         statistics::fit(l, vec(l.a*truth), whitener(mat::Identity(3, 3)))
     );
@@ -272,7 +272,7 @@ TEST(misfitFit, aVariableWhoseBoundsAreTheSameStays)
         l.priorDeviation.setZero();
         l.least[0] = l.most[0] = l.priorMean[0] = at;
         const vec y = vec{{at, at + 2, at + 4}};
-        const fitted best(statistics::fit(l, y, whitener(mat::Identity(3, 3))));
+        const fitResult best(statistics::fit(l, y, whitener(mat::Identity(3, 3))));
         EXPECT_EQ(best.x[0], at);
         EXPECT_NEAR(best.x[1], 2, 1e-6);
     }
@@ -297,7 +297,7 @@ TEST(misfitFit, aBoundHoldsAndIsTold)
     l.least << -100, 0;
     vec y(3);
     y << 5, 4, 3;
-    const fitted best(statistics::fit(l, y, whitener(mat::Identity(3, 3))));
+    const fitResult best(statistics::fit(l, y, whitener(mat::Identity(3, 3))));
     EXPECT_NEAR(best.x[1], 0, 1e-9);
     EXPECT_NEAR(best.x[0], 4, 1e-6);
     EXPECT_TRUE(best.pinned[1]);
