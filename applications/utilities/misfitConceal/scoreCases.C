@@ -2,6 +2,7 @@
 // Opens the key and scores the verdicts.
 
 #include "openedCase.H"
+#include "shortNumber.H"
 #include "textFile.H"
 #include "words.H"
 

@@ -46,7 +46,7 @@ string inLines(const std::vector<int>& lines)
 
 string percent(const scalar share)
 {
-    return shortNumber(100*share, 2) + " %";
+    return numberWords(100*share, 2) + " %";
 }
 
 
@@ -67,7 +67,7 @@ string ofLabels(const tableCheck& check, const statistics::labelArrangement& lab
         const auto& order = labels.levels[f];
         if (!std::is_sorted(order.begin(), order.end()))
         {
-            const auto level = [&](const int i) { return shortNumber(levels[i], 6); };
+            const auto level = [&](const int i) { return numberWords(levels[i], 6); };
             auto all(order);
             std::sort(all.begin(), all.end());
             parts.push_back
@@ -136,14 +136,14 @@ string reportOne(const tableCheck& check, const explanation& one)
         << " rows hold the identity as exactly as digits are printed, "
         << fault.match.within << " within the tolerance.\n"
         << "    That one of the " << check.attempts.size()
-        << " exchanges tried does so by chance: " << shortNumber(fault.chance, 3)
+        << " exchanges tried does so by chance: " << numberWords(fault.chance, 3)
         << "\n    The identity holds as well if " << column << " stands right and "
         << inWords(others, "and") << " stand at the exchanged labels.\n";
     if (check.hasStated)
     {
         os  << "    The correlations that the source states are missed by "
-            << shortNumber(one.columnMoved, 2) << " at most in the first case, by "
-            << shortNumber(one.othersMoved, 2) << " in the second: they speak for the "
+            << numberWords(one.columnMoved, 2) << " at most in the first case, by "
+            << numberWords(one.othersMoved, 2) << " in the second: they speak for the "
             << (one.isOfColumn() ? "first" : "second") << ".\n";
     }
     return os.str();
@@ -199,7 +199,7 @@ Foam::string Foam::misfit::report(const tableCheck& check)
             << " rows miss the identity by more than"
             << " rounding (" << inLines(check.missing) << "), and no exchange of labels explains it. The nearest of "
             << check.attempts.size() << ", with a chance of "
-            << shortNumber(first.chance, 3) << ":\n    " << exchange(check, first)
+            << numberWords(first.chance, 3) << ":\n    " << exchange(check, first)
             << '\n';
     }
     else

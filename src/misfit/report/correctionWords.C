@@ -13,7 +13,7 @@ using namespace Foam::misfit;
 
 string withDeviation(const scalar value, const scalar deviation)
 {
-    return shortNumber(value, 3) + " +- " + shortNumber(2*deviation, 3);
+    return numberWords(value, 3) + " +- " + numberWords(2*deviation, 3);
 }
 
 
@@ -30,8 +30,7 @@ void addHeld(json& facts, const correctionFit& c)
         }
         else
         {
-            const string share(Foam::name(std::round(100*removed(h))));
-            gone.push_back(share + " % at " + describe(h));
+            gone.push_back(percentWords(removed(h)) + " at " + describe(h));
         }
     }
     facts["held"] = c.held.size() > 0;
@@ -44,7 +43,7 @@ void addHeld(json& facts, const correctionFit& c)
 
 Foam::string Foam::misfit::describe(const correctionElement& e, const scalar value)
 {
-    const auto number = [](const scalar x) { return shortNumber(x, 3); };
+    const auto number = [](const scalar x) { return numberWords(x, 3); };
     json facts = {{e.family, true}};
     if (e.family == "drag")
     {
@@ -91,7 +90,7 @@ Foam::string Foam::misfit::describe(const fittedLaw& l)
         if (drag && name != "factor")
         {
             functions.back()["group"] = name;
-            functions.back()["middle"] = shortNumber(l.law.middle[i], 3);
+            functions.back()["middle"] = numberWords(l.law.middle[i], 3);
         }
         functions.back()[name] =
             drag ? json(withDeviation(std::exp(c), std::exp(c)*d)) : json(true);

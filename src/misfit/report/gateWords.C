@@ -5,7 +5,7 @@
 
 Foam::misfit::json Foam::misfit::gateWords(const gate& g, const finding& f)
 {
-    const auto number = [](const scalar x) { return shortNumber(x, 3); };
+    const auto number = [](const scalar x) { return ratioWords(x, 3); };
     const bool isCounted =
         g.kind == gateKind::computed || g.kind == gateKind::stability;
     json facts =
@@ -19,8 +19,8 @@ Foam::misfit::json Foam::misfit::gateWords(const gate& g, const finding& f)
         {"experiment", g.experiment},
         {"failure", g.failure},
         {"next", g.next ? describe(*g.next, f.library) : string("-")},
-        {"kept", shortNumber(g.value, 7)},
-        {"all", shortNumber(g.limit, 7)},
+        {"kept", numberWords(g.value, 7)},
+        {"all", numberWords(g.limit, 7)},
         {"lost", g.lost},
         {"gained", number(g.gained)},
         {"moved", g.moved}

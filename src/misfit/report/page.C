@@ -18,25 +18,6 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
-//- Of one above 1e5 only that it is
-string number(const scalar value)
-{
-    return
-        value > 1e5 ? "more than 100000"
-      : value < -1e5 ? "less than -100000" : shortNumber(value);
-}
-
-
-//- In whole percent; of more than ten times only that it is. Nought has no sign
-string percent(const scalar share)
-{
-    return
-        share > 10 ? "more than 1000 %"
-      : share < -10 ? "less than -1000 %"
-      : shortNumber(std::round(100*share) + 0.0) + " %";
-}
-
-
 //- True if the answer, or what explains best, has that candidate
 bool isInAnswer(const finding& f, const word& name)
 {
@@ -65,7 +46,7 @@ string outcome(const heldOut& h)
         {
             {"wasOff", h.squareBefore >= h.limitOfMatch},
             {"isOff", h.squareAfter >= h.limitOfMatch},
-            {"gone", share > 0 ? percent(share) : string()}
+            {"gone", share > 0 ? percentWords(share) : string()}
         }
     );
 }
@@ -78,9 +59,9 @@ json held(const heldOut& h, const bool showsFinding)
     return
     {
         {"data", describe(h) + " (" + joined(h.data.segments, " ", name) + ')'},
-        {"before", number(h.squareBefore)},
-        {"after", number(h.squareAfter)},
-        {"gone", percent(removed(h))},
+        {"before", ratioWords(h.squareBefore)},
+        {"after", ratioWords(h.squareAfter)},
+        {"gone", percentWords(removed(h))},
         {"outcome", outcome(h)},
         {"showsFinding", showsFinding}
     };
@@ -90,7 +71,7 @@ json held(const heldOut& h, const bool showsFinding)
 //- Adds how sure the answer is, and what stands beside it
 void addAnswer(json& page, const finding& f)
 {
-    page["sure"] = percent(f.verdict.confidence) + ' ' + sureThat(f);
+    page["sure"] = percentWords(f.verdict.confidence) + ' ' + sureThat(f);
     page["notScored"] = joined(f.candidates.dropped, ", ", [](const droppedCandidate& d)
     {
         const string why(describe(d));
@@ -123,8 +104,8 @@ json scoredFirst(const finding& f)
         {
             {"name", name},
             {"isJudged", isJudged},
-            {"behind", number(w->score - best)},
-            {"probability", percent(w->probability)}
+            {"behind", ratioWords(w->score - best)},
+            {"probability", percentWords(w->probability)}
         };
     });
 }
@@ -196,10 +177,10 @@ json distances(const finding& f)
 //- Of a channel: its standard deviation [unit], and those that it is made of
 json uncertain(const finding& f, const segment& s)
 {
-    json all = json::array({shortNumber(s.rootMeanSquare(f.detection.sigma), 2)});
+    json all = json::array({numberWords(s.rootMeanSquare(f.detection.sigma), 2)});
     for (const uncertaintySource& source : f.detection.sources)
     {
-        all.push_back(shortNumber(s.rootMeanSquare(source.second), 2));
+        all.push_back(numberWords(s.rootMeanSquare(source.second), 2));
     }
     return {{"name", s.name + ' ' + unitOf(s.quantity)}, {"deviations", all}};
 }
@@ -232,8 +213,8 @@ string caption(const finding& f, const word& name)
         const heldOut& h = f.held()[std::stoi(name.substr(7)) - 1];
         const bool changes = h.squareBefore != h.squareAfter;
         facts["heldOut"] = describe(h);
-        facts["before"] = number(h.squareBefore);
-        facts["after"] = changes ? number(h.squareAfter) : string();
+        facts["before"] = ratioWords(h.squareBefore);
+        facts["after"] = changes ? ratioWords(h.squareAfter) : string();
     }
     return renderTemplate("caption", facts);
 }

@@ -2,7 +2,7 @@
 // Templates of etc/misfit, filled with a record.
 
 #include "templates.H"
-#include "shortNumber.H"
+#include "numberWords.H"
 #include "textFile.H"
 
 #include "error.H"
@@ -47,7 +47,7 @@ mustache::data mustacheData(const json& from)
     }
     return
         from.is_string() ? from.get<std::string>()
-      : from.is_number_float() ? shortNumber(from) : from.dump();
+      : from.is_number_float() ? numberWords(from) : from.dump();
 }
 
 

@@ -87,7 +87,7 @@ void addFault(json& facts, const finding& f)
         const scalar deviation = best.deviation(best.x.size() - 1);
         if (deviation > 0 && mag(size[0]) > deviation)
         {
-            facts["interval"] = shortNumber(200*deviation/mag(size[0]), 2);
+            facts["interval"] = ratioWords(200*deviation/mag(size[0]), 2);
         }
         facts["pinned"] = best.pinned.back() && mag(size[0]) > SMALL;
     }
@@ -151,8 +151,8 @@ json strengths(const finding& f)
         {
             {"asFitted", std::exchange(asFitted, string())},
             {"name", s.name},
-            {"value", shortNumber(s.value, 3)},
-            {"interval", shortNumber(2*s.deviation, 3)},
+            {"value", numberWords(s.value, 3)},
+            {"interval", numberWords(2*s.deviation, 3)},
             {"pinned", s.pinned},
             {"up", s.value > 0}
         };
@@ -219,7 +219,7 @@ void addLeftOut(json& facts, const finding& f)
         {
             facts["stillOff"].push_back
             ({
-                {"what", describe(h)}, {"square", shortNumber(h.squareAfter, 3)}
+                {"what", describe(h)}, {"square", ratioWords(h.squareAfter, 3)}
             });
         }
     }

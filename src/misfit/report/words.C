@@ -2,6 +2,7 @@
 // A finding in words: its parts.
 
 #include "words.H"
+#include "shortNumber.H"
 #include "units.H"
 
 namespace
@@ -70,7 +71,7 @@ Foam::string Foam::misfit::describe
     {
         u[0] = 0;
     }
-    const auto number = [](const scalar x) { return shortNumber(x, 7); };
+    const auto number = [](const scalar x) { return numberWords(x, 7); };
     json facts =
     {
         {nameOf(fault.kind), true},
@@ -133,14 +134,14 @@ Foam::string Foam::misfit::describe(const place& p, const stacked& data)
     const window& w = p.where;
     const segment& s = data.segments[w.segment];
     const scalar share = 100*mag(p.mean)/max(s.range(data.y), VSMALL);
-    const auto number = [](const scalar x) { return shortNumber(x, 3); };
+    const auto number = [](const scalar x) { return numberWords(x, 3); };
     json facts =
     {
         {"quantity", s.quantity},
         {"channel", s.name},
         {"share", share > 1000 ? "more than 1000" : number(share)},
         {"low", p.mean > 0},
-        {"size", number(mag(w.size))}
+        {"size", ratioWords(mag(w.size), 3)}
     };
     if (s.hasPlace)
     {
@@ -180,8 +181,8 @@ Foam::string Foam::misfit::describe(const droppedCandidate& d)
         {
             {reasons[int(d.why)], true},
             {"failure", d.failure},
-            {"bound", Foam::name(100*d.bound)},
-            {"misfit", Foam::name(100*d.misfit)}
+            {"bound", ratioWords(100*d.bound)},
+            {"misfit", ratioWords(100*d.misfit)}
         }
     );
 }
@@ -210,9 +211,9 @@ Foam::string Foam::misfit::adviceOf(const finding& f)
             {"one", name(0)},
             {"other", name(1)},
             {"channel", a.channel.name},
-            {"at", shortNumber(a.at, 3)},
+            {"at", numberWords(a.at, 3)},
             {"axis", axisOf(a.channel)},
-            {"times", shortNumber(a.times, 3)},
+            {"times", ratioWords(a.times, 3)},
             {"channels", joined(f.tests.winners, " and ", [](const winner& w)
             {
                 return w.channel;

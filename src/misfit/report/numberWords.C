@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers as they stand in a sentence or a table: never with the exponent of a large one.
+
+#include "numberWords.H"
+#include "shortNumber.H"
+
+#include <cmath>
+
+namespace
+{
+
+using namespace Foam;
+
+//- All digits of a whole number
+std::string wholeNumber(const scalar value)
+{
+    std::ostringstream os;
+    os << std::fixed << std::setprecision(0) << value;
+    return os.str();
+}
+
+
+//- A number with so many significant digits, of one beyond a limit only that it is
+string within(const scalar limit, const scalar value, const int digits)
+{
+    if (mag(value) > limit)
+    {
+        return (value > 0 ? "more than " : "less than -") + wholeNumber(limit);
+    }
+    const scalar shorter = rounded(value, digits);
+    return
+        mag(shorter) >= std::pow(10, digits)
+      ? wholeNumber(shorter) : shortNumber(value, digits);
+}
+
+} // End anonymous namespace
+
+
+Foam::string Foam::misfit::numberWords(const scalar value, const int digits)
+{
+    return within(1e9, value, digits);
+}
+
+
+Foam::string Foam::misfit::ratioWords(const scalar value, const int digits)
+{
+    return within(1e5, value, digits);
+}
+
+
+Foam::string Foam::misfit::percentWords(const scalar share)
+{
+    return within(1000, std::round(100*share) + 0.0, 4) + " %";
+}
