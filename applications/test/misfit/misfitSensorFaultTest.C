@@ -151,6 +151,27 @@ TEST(misfitSensorFault, exchangedGaugesAreBothNamedAlsoBesideSomethingUnknown)
 }
 
 
+TEST(misfitSensorFault, whatTheSimulationIsUncertainByIsDrawnWhereTheRecordIsFrom)
+{
+    for (const scalar wave : {0., 60.})
+    {
+        worldSampler s(truth(-1, 0), 300, exchanged(wave));
+        s.refine(0.1);
+        settings set(worldSettings());
+        set.resolutions = {"mesh"};
+        const finding f(diagnose(s, set));
+        ASSERT_EQ(f.verdict.kind, verdictKind::registration);
+        const segment& p1 = f.detection.data.segments[0];
+        const segment& p2 = f.detection.data.segments[1];
+        const auto distance = [](const vec& a, const vec& b) { return (a - b).norm(); };
+        const vec drawn = p1.of(f.verdict.sigma);
+        const vec own = p1.of(f.detection.sigma);
+        const vec other = p2.of(f.detection.sigma);
+        EXPECT_LT(distance(drawn, other), 0.2*distance(drawn, own)) << wave;
+    }
+}
+
+
 TEST(misfitSensorFault, besideSomethingUnknownAnExchangeMustGainByItself)
 {
     worldSampler s(truth(-1, 0), 300, exchanged(60));

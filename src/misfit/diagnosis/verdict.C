@@ -311,6 +311,23 @@ std::vector<place> locate(const study& s, const evidence& e, const decision& d)
     return named.size() ? named : e.detection.located;
 }
 
+//- Standard deviation of the fitted samples with the answer, without what something
+//  unknown beside it may do
+vec deviationWith(const study& s, const evidence& e, const decision& d)
+{
+    const hypothesisFit& best = e.best();
+    if (!d.blamesChannel())
+    {
+        return e.detection.sigma;
+    }
+    mat known = best.covariance;
+    if (best.what.unknown)
+    {
+        known -= s.calibration.score().unknownShape(best.amplitude, best.length);
+    }
+    return known.diagonal().cwiseSqrt();
+}
+
 } // End anonymous namespace
 
 
@@ -326,6 +343,7 @@ Foam::misfit::decide(const study& s, const evidence& e)
         d.kind != verdictKind::none && d.kind != verdictKind::unknown;
     d.before = e.explained.baseline().best.f;
     d.after = changed ? e.best().best.f : d.before;
+    d.sigma = deviationWith(s, e, d);
     if (changed)
     {
         d.strengths = strengthsOf(s, e.best(), d);

@@ -63,12 +63,14 @@ std::string seriesVariables
 }
 
 
-//- Boxes of the misfit over its deviation: x from to, row, before, after
+//- Boxes of the misfit over its deviation, which may be another one with what was found:
+//  x from to, row, before, after
 void writeMap
 (
     std::ostream& os,
     const stacked& data,
-    const vec& sigma,
+    const vec& sigmaBefore,
+    const vec& sigmaAfter,
     const vec& before,
     const vec& after,
     const label firstRow
@@ -102,8 +104,8 @@ void writeMap
               : i + 1 < s.size ? 0.5*(s.x[i] + s.x[i+1])
               : s.x[i] + 0.5*s.span;
             os  << left << ' ' << right << ' ' << firstRow + k << ' '
-                << (data.y[j] - before[j])/sigma[j] << ' '
-                << (data.y[j] - after[j])/sigma[j] << '\n';
+                << (data.y[j] - before[j])/sigmaBefore[j] << ' '
+                << (data.y[j] - after[j])/sigmaAfter[j] << '\n';
         }
     }
 }
@@ -156,7 +158,7 @@ Foam::List<Foam::fileName> Foam::misfit::drawFigures
     const decision& verdict = f.verdict;
     writeSeries
     (
-        folder/"fitted.dat", fitted.data, fitted.sigma, verdict.before, verdict.after
+        folder/"fitted.dat", fitted.data, verdict.sigma, verdict.before, verdict.after
     );
     script("fitted", seriesVariables(fitted.data, "fitted", hasFinding), "series.gp");
 
@@ -170,13 +172,16 @@ Foam::List<Foam::fileName> Foam::misfit::drawFigures
             rows << "Name[" << ++row << "] = '" << s.name << mark << "'\n";
         }
     };
-    writeMap(map, fitted.data, fitted.sigma, verdict.before, verdict.after, row);
+    writeMap
+    (
+        map, fitted.data, fitted.sigma, verdict.sigma, verdict.before, verdict.after, row
+    );
     addRows(fitted.data, "");
     for (const heldOut& h : f.held())
     {
         if (h.isHere() || h.what == heldOut::part::testElsewhere)
         {
-            writeMap(map, h.data, h.sigma, h.before, h.after, row);
+            writeMap(map, h.data, h.sigma, h.sigma, h.before, h.after, row);
             addRows
             (
                 h.data, " (" + purposeNames[h.use] + ")"
