@@ -13,7 +13,7 @@ using namespace Foam;
 using namespace Foam::misfit;
 
 //- Of the record: grows with each change of what its keys are or mean
-constexpr label schema = 5;
+constexpr label schema = 6;
 
 
 //- What is at its bound has none
@@ -99,6 +99,27 @@ json located(const place& p, const stacked& data)
         {"sigma", w.size},
         {"phase", phaseOf(s, data.y, w)},
         {"words", describe(p, data)}
+    };
+}
+
+
+//- Null where there is none
+json timeOf(const std::optional<scalar>& time)
+{
+    return time ? json(*time) : json();
+}
+
+
+//- Times in s
+json departureRecord(const departure& d)
+{
+    return
+    {
+        {"channel", d.channel},
+        {"use", purposeNames[d.use]},
+        {"arrivalRecorded", timeOf(d.recorded)},
+        {"arrivalSimulated", timeOf(d.simulated)},
+        {"differsFrom", timeOf(d.differs)}
     };
 }
 
@@ -257,6 +278,7 @@ Foam::misfit::recordOf(const finding& f, const string& title)
         {"fault", fault(f)},
         {"detection", {{"pRaw", f.detection.raw.p}, {"p", f.detection.calibrated.p}}},
         {"located", each(f.verdict.located, where)},
+        {"departures", each(f.departures, &departureRecord)},
         {"calibration", parameters(f)},
         {"uncertainty", uncertainty(f)},
         {"gates", each(f.tests.gates, numbers)},
