@@ -42,6 +42,56 @@ TEST(misfitRuns, aFinishedRunIsNeverDoneAgain)
 }
 
 
+TEST(misfitRuns, aSpareDictionaryMakesNoOtherRuns)
+{
+    const fakeCase c;
+    const std::string header("FoamFile { version 2.0; object misfitDict; }\n");
+    once(c, {withSlope(2)});
+    c.write("system/misfitDict.levels", header);
+    c.write("system/spare", header);
+    once(c, {withSlope(2)});
+    EXPECT_EQ(c.count(), 1);
+
+    // What a run reads makes others
+    c.write("system/more", "deltaT 1;\n#include \"spare\"\n");
+    once(c, {withSlope(2)});
+    EXPECT_EQ(c.count(), 2);
+    c.write("system/spare", header + "endTime 2;\n");
+    once(c, {withSlope(2)});
+    EXPECT_EQ(c.count(), 3);
+
+    // As does what that includes, what a command names, and another file by any name
+    c.write("system/spare", header + "#include \"misfitDict.levels\"\n");
+    once(c, {withSlope(2)});
+    c.write("system/misfitDict.levels", header + "deltaT 1;\n");
+    once(c, {withSlope(2)});
+    EXPECT_EQ(c.count(), 5);
+    c.write("system/misfitDict.other", "object other;\n");
+    once(c, {withSlope(2)});
+    EXPECT_EQ(c.count(), 6);
+}
+
+
+TEST(misfitRuns, aSpareDictionaryThatACommandMayReadIsPartOfTheRun)
+{
+    for (const std::string& command : {"cat system/third", "cp system/*"})
+    {
+        const fakeCase c;
+        const std::string header("FoamFile { object misfitDict; }\n");
+        c.write("copy", "x");
+        c.write("system/third", header);
+        const std::string commands
+        (
+            "commands (\"true " + command + "\" \"bash system/solver\"); "
+        );
+        fakePredictor(c, commands)({withSlope(2)});
+        c.write("system/third", header + "more 1;\n");
+        fakePredictor(c, commands)({withSlope(2)});
+        EXPECT_EQ(c.count(), 2) << command;
+    }
+}
+
+
 TEST(misfitRuns, aCommandMayHaveAPath)
 {
     const fakeCase c;

@@ -219,11 +219,7 @@ Foam::misfit::runStore::runStore
         folder,
         dict.getOrDefault("files", fileNameList()),
         dictName_.name(),
-        std::any_of
-        (
-            commands_.cbegin(), commands_.cend(),
-            [](const string& c) { return c.find("blockMesh") != string::npos; }
-        )
+        commands_
     ),
     ranks_(dict.getOrDefault<label>("ranks", 1)),
     jobs_

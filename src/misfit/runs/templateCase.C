@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <regex>
 
 namespace
 {
@@ -63,6 +64,29 @@ string digest(const string& text)
 }
 
 
+//- True of the text of a dictionary of misfitFoam, by its header
+bool isMisfitDict(const string& text)
+{
+    static const std::regex header(R"(FoamFile\s*\{[^}]*\bobject\s+misfitDict\s*;)");
+    return std::regex_search(text, header);
+}
+
+
+//- True if a text names that file of system, or has a pattern that it may match
+bool mayRead(const string& text, const word& file)
+{
+    for (const string& name : {string(file), string("misfitDict*"), string("misfitDict.*"),
+        string("system/*")})
+    {
+        if (text.find(name) != string::npos)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
 //- Fields of a template before a run
 const string original("0.orig");
 
@@ -112,15 +136,63 @@ Foam::fileNameList Foam::misfit::templateCase::files() const
 }
 
 
+bool Foam::misfit::templateCase::isOwn(const fileName& file) const
+{
+    return file.name() == "misfitDict" || file.name() == dictionaryName_;
+}
+
+
+std::set<Foam::fileName> Foam::misfit::templateCase::spareDictionaries
+(
+    const fileNameList& files
+) const
+{
+    std::set<fileName> spare;
+    for (const fileName& f : files)
+    {
+        if (f.find(folder/"system/") == 0 && !isOwn(f) && isMisfitDict(contentOf(f)))
+        {
+            spare.insert(f);
+        }
+    }
+    const auto count = [&spare](const string& text)
+    {
+        const size_t before = spare.size();
+        for (auto f = spare.begin(); f != spare.end();)
+        {
+            f = mayRead(text, f->name()) ? spare.erase(f) : std::next(f);
+        }
+        return spare.size() < before;
+    };
+    for (const string& c : commands_)
+    {
+        count(c);
+    }
+
+    // One that counts may include others
+    bool again = spare.size();
+    while (again)
+    {
+        again = false;
+        for (const fileName& f : files)
+        {
+            again = (!isOwn(f) && !spare.count(f) && count(contentOf(f))) || again;
+        }
+    }
+    return spare;
+}
+
+
 std::map<Foam::fileName, Foam::string>
 Foam::misfit::templateCase::digests() const
 {
+    const fileNameList those(files());
+    const std::set<fileName> spare(spareDictionaries(those));
     std::map<fileName, string> all;
-    for (const fileName& f : files())
+    for (const fileName& f : those)
     {
         const bool ofMesh = f.find("/polyMesh/") != string::npos;
-        const bool asks = f.name() == "misfitDict" || f.name() == dictionaryName_;
-        if (!asks && !(ofMesh && meshIsMade_))
+        if (!isOwn(f) && !spare.count(f) && !(ofMesh && meshIsMade_))
         {
             all[f.substr(folder.size())] = digest(contentOf(f));
         }
@@ -136,12 +208,20 @@ Foam::misfit::templateCase::templateCase
     const fileName& caseFolder,
     const fileNameList& files,
     const word& dictionaryName,
-    const bool meshIsMade
+    const stringList& commands
 )
 :
     files_(files),
     dictionaryName_(dictionaryName),
-    meshIsMade_(meshIsMade),
+    commands_(commands),
+    meshIsMade_
+    (
+        std::any_of
+        (
+            commands.cbegin(), commands.cend(),
+            [](const string& c) { return c.find("blockMesh") != string::npos; }
+        )
+    ),
     folder(caseFolder)
 {
     for (const fileName& part : parts())
