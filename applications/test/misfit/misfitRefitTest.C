@@ -3,6 +3,8 @@
 // it leads too far.
 
 #include "refit.H"
+#include "stages.H"
+#include "worldDiagnosis.H"
 
 #include <gtest/gtest.h>
 
@@ -67,7 +69,73 @@ public:
     }
 };
 
+//- Explanations of a world that lacks the first mechanism, and how many runs the refit took
+struct rankedWorld
+{
+    worldSampler solver;
+
+    settings set;
+
+    study s;
+
+    explanations explained;
+
+    label runs = 0;
+
+
+    explicit rankedWorld(const scalar within)
+    :
+        solver(truth(0, 0.7), 300, vec()),
+        set(worldSettings()),
+        s(solver, set)
+    {
+        set.refitWithin = within;
+        addUncertainty(s);
+        const std::vector<int> failing(addCalibrationRuns(s));
+        const hypothesisFit base(s.calibration.score().base());
+        const screenedCandidates some(screen(s, base, failing));
+        const std::vector<int> left(addSensitivityRuns(s, base, some).left);
+        const label before = solver.runs();
+        explained = rank(s, left, true);
+        runs = solver.runs() - before;
+    }
+};
+
 } // End anonymous namespace
+
+
+TEST(misfitRefit, onlyWhatCouldStillWinIsComputedAgain)
+{
+    const rankedWorld all(GREAT);
+    const rankedWorld some(4);
+    EXPECT_LT(some.runs, all.runs);
+    EXPECT_TRUE(some.explained.best().what == all.explained.best().what);
+    EXPECT_NEAR(some.explained.best().score, all.explained.best().score, 1e-6);
+    const scalar lowest = some.explained.lowestScore();
+    label computed = 0;
+    for (const hypothesisFit& w : some.explained.all())
+    {
+        const bool isComputed = some.explained.find(w.what);
+        computed += isComputed;
+        if (isComputed && !w.what.isNone())
+        {
+            EXPECT_LE(w.score, lowest + 4);
+        }
+    }
+    EXPECT_EQ(computed, 2);
+}
+
+
+TEST(misfitRefit, theRunsThatAreForecastIncludeThoseThatCome)
+{
+    for (const scalar within : {4., 100., GREAT})
+    {
+        const rankedWorld r(within);
+        const labelRange forecast(refitRuns(r.set));
+        EXPECT_GE(r.runs, forecast.min());
+        EXPECT_LE(r.runs, forecast.max());
+    }
+}
 
 
 TEST(misfitRefit, aSurfaceThatIsNearlyRightIsFollowed)

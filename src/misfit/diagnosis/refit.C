@@ -16,6 +16,7 @@ hypothesisFit recompute(study& s, explanations& e, const hypothesisFit& w)
 {
     const evaluation c(refit(s, w));
     e.note(c);
+    Info<< "    score " << w.score << ", computed " << c.best.score << endl;
     return c.best;
 }
 
@@ -60,9 +61,10 @@ void refitBest(study& s, explanations& e)
 
     // The first run of each, side by side; the passes find them done
     std::vector<vec> first;
+    const scalar limit = e.lowestScore() + s.set.refitWithin;
     for (label i = 0; i < count(all); ++i)
     {
-        if (i < n || all[i].what.isNone())
+        if ((i < n && all[i].score <= limit) || all[i].what.isNone())
         {
             first.push_back(s.calibration.model(all[i].what).expand(all[i].best.x));
         }
@@ -88,7 +90,7 @@ void refitBest(study& s, explanations& e)
         {
             ++i;
         }
-        if (i == most)
+        if (i == most || all[i].score > all.front().score + s.set.refitWithin)
         {
             break;
         }
@@ -220,6 +222,17 @@ Foam::misfit::evaluation Foam::misfit::refit
         return white ? score.again(now, *white) : score.withOwnCovariance(now);
     };
     return refit(start, s.set, s.bounds.width, with);
+}
+
+
+Foam::labelRange Foam::misfit::refitRuns(const settings& set)
+{
+    // The base and one more, where the first run settles both. At most the base, n + 2 in
+    // turn and n + 2 that are preferred, and n first runs of which nothing comes
+    const label n = set.refit;
+    const label least = (n > 1 ? 2 : 1)*set.commonRandomNumbers;
+    const label most = ((2*n + 5)*set.passes + n)*set.commonRandomNumbers;
+    return labelRange(least, most - least + 1);
 }
 
 
