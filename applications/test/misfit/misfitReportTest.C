@@ -5,6 +5,7 @@
 #include "report.H"
 #include "misfitWorld.H"
 #include "temporaryFolder.H"
+#include "terminalOutput.H"
 #include "words.H"
 
 #include "StringStream.H"
@@ -51,6 +52,8 @@ finding found()
     f.verdict.before = base;
     f.verdict.after = w.data.y;
     f.detection.sigma = vec::Constant(base.size(), 20);
+    f.verdict.sigma = f.detection.sigma;
+    f.departures = {{"P1", purpose::calibration, 0.4, 0.6, 0.35}};
     f.detection.sources =
     {
         {"sensors", vec::Constant(base.size(), 12)},
@@ -161,7 +164,7 @@ TEST(misfitReport, theRecordIsOfItsSchemaAndReadsBackAsItWasFound)
         {"confidenceFrom", type::object},
         {"strengths", type::array}, {"fault", type::null},
         {"detection", type::object}, {"located", type::array},
-        {"calibration", type::array}, {"uncertainty", type::object},
+        {"departures", type::array}, {"calibration", type::array}, {"uncertainty", type::object},
         {"gates", type::array}, {"heldOut", type::array},
         {"freeCorrection", type::null}, {"posterior", type::array},
         {"dropped", type::array}, {"failedRuns", type::array},
@@ -176,7 +179,8 @@ TEST(misfitReport, theRecordIsOfItsSchemaAndReadsBackAsItWasFound)
         ASSERT_TRUE(j.contains(key.first)) << key.first;
         EXPECT_EQ(j[key.first].type(), key.second) << key.first;
     }
-    EXPECT_EQ(j["schema"], 5);
+    EXPECT_EQ(j["schema"], 6);
+    EXPECT_EQ(j["departures"][0]["differsFrom"], 0.35);
     EXPECT_EQ(verdictNames[word(j["verdict"].get<std::string>())], f.verdict.kind);
     EXPECT_EQ(j["names"].get<std::vector<std::string>>().front(), f.verdict.names[0]);
     EXPECT_EQ(j["confidence"], f.verdict.confidence);
@@ -376,6 +380,17 @@ TEST(misfitReport, noNumberIsTooLargeToRead)
     const std::string page(reportHtml(f, today(), {}));
     EXPECT_FALSE(says(page, "e+"));
     EXPECT_TRUE(says(page, "more than 100000"));
+
+    // In sentences too
+    f.tests.held[0].use = purpose::validation;
+    f.verdict.strengths = {{"porePressure", 1234567, 23456, false}};
+    f.verdict.alternatives.clear();
+    expectHolds(describe(f), "mean square more than 100000");
+    expectLacks(describe(f), "e+");
+    expectHolds(describe(f), "1230000");
+    expectLacks(describe(droppedCandidate{"a", droppedCandidate::reason::small, "", 0.1, 1e20}), "e+");
+    gate wide(gateKind::evidence, 12345, 10);
+    expectHolds(gateWords(wide, f).dump(), "12300");
     EXPECT_TRUE(says(page, "less than -1000 %"));
 
     // Of a channel that shows nothing the range is nought
@@ -385,6 +400,61 @@ TEST(misfitReport, noNumberIsTooLargeToRead)
     EXPECT_TRUE
     (
         says(describe(p, data), "the simulation is more than 1000 % of the range")
+    );
+}
+
+
+TEST(misfitReport, aNumberInASentenceHasNoExponent)
+{
+    EXPECT_EQ(numberWords(0.125), "0.125");
+    EXPECT_EQ(numberWords(1.5e-6), "1.5e-06");
+    EXPECT_EQ(numberWords(9999.6), "10000");
+    EXPECT_EQ(numberWords(123456, 3), "123000");
+    EXPECT_EQ(numberWords(-123456, 2), "-120000");
+    EXPECT_EQ(numberWords(2e17), "more than 1000000000");
+    EXPECT_EQ(ratioWords(-1e6), "less than -100000");
+    EXPECT_EQ(ratioWords(99999, 3), "100000");
+    EXPECT_EQ(percentWords(-0.001), "0 %");
+    EXPECT_EQ(percentWords(11), "more than 1000 %");
+}
+
+
+TEST(misfitReport, theMapHasTheUncertaintyThatEachSideHas)
+{
+    const temporaryFolder scratch;
+    finding f(found());
+    f.verdict.after = f.detection.data.y.array() - 60;
+    f.verdict.sigma = 3*f.detection.sigma;
+    drawFigures(f, fileName(scratch));
+    std::ifstream map(fileName(scratch)/"map.dat");
+    scalar from, to, row, before, after;
+    map >> from >> to >> row >> before >> after;
+    EXPECT_NEAR(before, (f.detection.data.y[0] - f.verdict.before[0])/20, 1e-3);
+    EXPECT_NEAR(after, 1, 1e-3);
+}
+
+
+TEST(misfitReport, theTerminalSaysOfWhatTheConfidenceIs)
+{
+    finding f(found());
+    f.verdict.kind = verdictKind::registration;
+    f.verdict.names = {"P1", "P2"};
+    judged(f).mechanisms.clear();
+    judged(f).fault = possibleFaults(f.detection.data, {faultKind::swapped}).front();
+    f.explained.all().front().best.x.resize(0);
+    const std::string text(summaryOf(f, "misfit"));
+    expectHolds(text, "Confidence 90 % that the fault is at P1 and P2");
+    expectHolds(text, "in all of which it was the clock");
+    expectHolds(text, "misfit/verdict.json");
+}
+
+
+TEST(misfitReport, theOrderInWhichChannelsDifferIsOnThePage)
+{
+    expectHolds
+    (
+        reportHtml(found(), today(), {}),
+        "<td>P1</td><td>calibration</td><td>0.35</td><td>0.4</td><td>0.6</td>"
     );
 }
 

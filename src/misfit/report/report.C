@@ -3,6 +3,7 @@
 
 #include "report.H"
 #include "textFile.H"
+#include "words.H"
 
 #include "clock.H"
 #include "HashSet.H"
@@ -66,6 +67,28 @@ Foam::misfit::origin Foam::misfit::originOf
         from.experiments.append(experimentRow(recorded, name));
     }
     return from;
+}
+
+
+Foam::string Foam::misfit::summaryOf(const finding& f, const fileName& folder)
+{
+    string text
+    (
+        "Verdict: " + verdictNames[f.verdict.kind] + '\n' + describe(f) + '\n'
+      + "Confidence " + percentWords(f.verdict.confidence) + ' ' + sureThat(f) + '\n'
+    );
+    for (const place& p : f.verdict.located)
+    {
+        text += "    " + describe(p, f.detection.data) + '\n';
+    }
+    text += "States computed: " + Foam::name(f.nRuns) + '\n';
+    if (f.verdict.state)
+    {
+        text += "\nThe case with it: " + folder/correctedCase + '\n';
+    }
+    return
+        text + "\nTo read: " + folder/"report.html" + "\nThe record: "
+      + folder/"verdict.json";
 }
 
 
