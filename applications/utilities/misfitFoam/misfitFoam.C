@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Says where a case and recordings part, and which physics is missing.
 
+#include "designReport.H"
 #include "diagnosis.H"
+#include "emulatedPredictor.H"
+#include "refit.H"
 #include "report.H"
 #include "solverPredictor.H"
-#include "words.H"
 
 #include "argList.H"
 #include "IOdictionary.H"
@@ -33,11 +35,11 @@ void printPlan
         solver.print(stage.name, runs);
         n += runs.size();
     }
-    const label refits =
-        (set.refit + 3)*set.commonRandomNumbers
-       *recorded.experiments(purpose::calibration).size();
-    Info<< "Refit of the best explanations: " << refits << " to " << refits*set.passes
-        << " runs at states that the sensitivities will show" << nl
+    const label parts = recorded.experiments(purpose::calibration).size();
+    const labelRange refits(refitRuns(set));
+    Info<< "Refit of the best explanations: " << parts*refits.min() << " to "
+        << parts*refits.max() << " runs at states that the sensitivities will show; none"
+        << " where no misfit is detected" << nl
         << "Gates: " << 2*set.commonRandomNumbers
         << " runs of each test experiment, up to "
         << (2 + set.parameters.size())*set.commonRandomNumbers + set.replicates
@@ -45,7 +47,7 @@ void printPlan
         << " of each validation experiment" << nl;
     if (set.correction.size())
     {
-        Info<< "Free correction: at most " << 4*set.passes*refits/(set.refit + 3)
+        Info<< "Free correction: at most " << 4*set.passes*set.commonRandomNumbers*parts
             << " runs, and 2 of each held-out experiment; none where there is"
             << " an answer" << nl;
     }
@@ -55,22 +57,74 @@ void printPlan
 }
 
 
-void printFinding(const finding& f, const fileName& folder)
+//- The runs of the experiment that is fitted that are known beforehand
+List<runState> trainingRuns(sampler& ask, settings set)
 {
-    Info<< nl << "Verdict: " << verdictNames[f.verdict.kind] << nl
-        << describe(f).c_str() << nl
-        << "Confidence " << f.verdict.confidence << nl;
-    for (const place& p : f.verdict.located)
+    set.correction.clear();
+    const word fitted(ask.data().first().experiment);
+    List<runState> states;
+    for (const plannedStage& stage : plan(ask, set))
     {
-        Info<< "    " << describe(p, f.detection.data).c_str() << nl;
+        for (const runState& s : stage.states)
+        {
+            if (s.experiment == fitted)
+            {
+                states.append(s);
+            }
+        }
     }
-    if (f.verdict.state)
-    {
-        Info<< nl << "The case with it: " << (folder/correctedCase).c_str();
-    }
-    Info<< nl << "To read: " << (folder/"report.html").c_str() << nl
-        << "The record: " << (folder/"verdict.json").c_str() << endl;
+    return states;
 }
+
+
+//- The states of the surfaces of an emulator, which have all experiments that are fitted
+List<runState> ensembleOf(const emulatedPredictor& emulator, const recordings& recorded)
+{
+    const word fitted(recorded.calibrated());
+    List<runState> states(emulator.trainingEnsemble(recorded.parts(fitted).first()));
+    for (runState& s : states)
+    {
+        s.experiment = fitted;
+    }
+    return states;
+}
+
+
+//- Which mechanisms the experiment of a case could tell apart
+void designOf
+(
+    const IOdictionary& dict,
+    const settings& set,
+    const fileName& caseFolder,
+    const bool onlyPlan
+)
+{
+    recordings recorded(dict, caseFolder);
+    recorded.plan();
+    const designSettings design(readDesign(dict, recorded));
+    solverPredictor solver(recorded, caseFolder, dict);
+    predictedSampler bySolver(recorded, solver);
+    const List<runState> states(runsOf(recorded, trainingRuns(bySolver, set)));
+    solver.print("Training runs", states);
+    if (onlyPlan)
+    {
+        return;
+    }
+
+    emulatedPredictor emulator
+    (
+        set.parameters, set.candidates, states, solver.predict(states), set.chaotic
+    );
+    predictedSampler ask(recorded, emulator, ensembleOf(emulator, recorded));
+    Info<< "Diagnoses of simulated recordings" << endl;
+    const experimentDesign d(designExperiment(ask, set, design, solver.jobs()));
+    const fileName folder(caseFolder/"misfit");
+    writeDesign(d, folder, caseFolder.path().name()/caseFolder.name());
+    Info<< nl << designTable(d).c_str() << nl
+        << "To read: " << (folder/"design.html").c_str() << nl
+        << "The record: " << (folder/"design.json").c_str() << endl;
+}
+
 
 //- What makes an answer less sure than it looks
 void warnOf(const settings& set)
@@ -107,6 +161,11 @@ int main(int argc, char* argv[])
     argList::noParallel();
     argList::addOption("dict", "file", "Instead of system/misfitDict");
     argList::addBoolOption("dry-run", "List the runs and their cost only");
+    argList::addBoolOption
+    (
+        "design",
+        "Without recordings: which mechanisms the experiment could tell apart"
+    );
 
     startSerialTool();
     const argList args(argc, argv);
@@ -128,6 +187,13 @@ int main(int argc, char* argv[])
     const IOdictionary dict(dictIO);
 
     const fileName folder(runTime.path()/"misfit");
+    if (args.found("design"))
+    {
+        const settings set(readSettings(dict));
+        warnOf(set);
+        designOf(dict, set, runTime.path(), args.found("dry-run"));
+        return 0;
+    }
     if (!args.found("dry-run"))
     {
         // Not the answer of an earlier time while this one is not finished
@@ -164,7 +230,7 @@ int main(int argc, char* argv[])
         result, folder,
         originOf(above.name()/runTime.path().name(), recorded, set.candidates)
     );
-    printFinding(result, folder);
+    Info<< nl << summaryOf(result, folder).c_str() << endl;
     if (result.verdict.state)
     {
         const runState corrected(runsOf(recorded, {*result.verdict.state}).first());

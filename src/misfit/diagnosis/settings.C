@@ -117,7 +117,7 @@ Foam::misfit::settings Foam::misfit::readSettings(const dictionary& dict)
             "candidates", "replicateChanges", "replicates", "commonRandomNumbers",
             "resolution", "resolutionReplicates", "trainingEnsemble", "chaotic",
             "clockUncertainty", "faults", "decision", "draws", "seed", "shared",
-            "correction"
+            "correction", "design"
         }
     );
 

@@ -146,6 +146,7 @@ Foam::misfit::channel::channel
     (
         dict.getOrDefault("interval", Tuple2<scalar, scalar>(-GREAT, GREAT))
     ),
+    rate(dict.getOrDefault<scalar>("rate", 0)),
     simulated(dict.subDict("simulated"))
 {
     keywords::check
@@ -155,7 +156,7 @@ Foam::misfit::channel::channel
             "experiment", "quantity", "recorder", "at", "place", "uncertainty", "memory",
             "gainUncertainty", "zeroUncertainty", "value", "file", "repeats", "column",
             "xColumn", "unit", "scale", "offset", "xUnit", "xScale", "xOffset",
-            "duplicates", "missing", "interval", "simulated"
+            "duplicates", "missing", "interval", "rate", "simulated"
         }
     );
     const point where(dict.getOrDefault<point>("place", Zero));
@@ -206,6 +207,34 @@ Foam::misfit::channel::channel
             << "The channel " << name << " has repeats of no recording: give its first one"
             << " as file" << exit(FatalIOError);
     }
+}
+
+
+void Foam::misfit::channel::plan
+(
+    const scalar from,
+    const scalar to,
+    const label nSamples
+)
+{
+    if (to <= from || rate < 0)
+    {
+        FatalErrorInFunction
+            << "The channel " << name << " has no file, and it is not known when it would"
+            << " be recorded: give it interval (from to) [s], and rate, its readings in a"
+            << " second, which is above zero" << exit(FatalError);
+    }
+    const label most = 1000000;
+    const label n = min(max(label(rate*(to - from)) + 1, nSamples), most);
+    recorded.x.setSize(n);
+    recorded.y.setSize(n, 0.0);
+    forAll(recorded.x, i)
+    {
+        recorded.x[i] = from + i*(to - from)/(n - 1);
+        recorded.y[i] = 0;
+    }
+    isPlanned = true;
+    takeSamples(*this, nSamples);
 }
 
 

@@ -174,11 +174,11 @@ Foam::misfit::recordings::recordings
 {
     readExperiments(dict);
     const HashTable<purpose> held(readHeldOut(dict));
-    const label samples = dict.getOrDefault<label>("samples", 40);
-    if (samples < 5)
+    samples_ = dict.getOrDefault<label>("samples", 40);
+    if (samples_ < 5)
     {
         FatalIOErrorInFunction(dict)
-            << "samples is " << samples << "; a channel needs at least five to"
+            << "samples is " << samples_ << "; a channel needs at least five to"
             << " say when it parts from the simulation" << exit(FatalIOError);
     }
 
@@ -187,7 +187,7 @@ Foam::misfit::recordings::recordings
         const purpose use = held.lookup(e.keyword(), purpose::calibration);
         channels_.append
         (
-            new channel(e.keyword(), e.dict(), use, folder, samples)
+            new channel(e.keyword(), e.dict(), use, folder, samples_)
         );
 
         channel& c = channels_.last();
@@ -300,6 +300,34 @@ void Foam::misfit::recordings::checkHeldOut(const dictionary& dict) const
                 << "The experiment " << e << " has no recorded channel, so its"
                 << " runs decide nothing. Give it one, or take it out"
                 << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::misfit::recordings::plan()
+{
+    const wordList fitted(experiments(purpose::calibration));
+    scalar first = GREAT;
+    scalar last = -GREAT;
+    for (const channel& c : channels_)
+    {
+        if (c.isRecorded() && c.overTime() && fitted.found(c.experiment))
+        {
+            first = min(first, c.recorded.x.first());
+            last = max(last, c.recorded.x.last());
+        }
+    }
+    for (channel& c : channels_)
+    {
+        if (!c.isRecorded() && c.overTime() && fitted.found(c.experiment))
+        {
+            const bool given = c.interval.first() > -GREAT;
+            c.plan
+            (
+                given ? c.interval.first() : first, given ? c.interval.second() : last,
+                samples_
+            );
         }
     }
 }

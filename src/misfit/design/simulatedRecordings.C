@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Recordings of an experiment that nobody has done.
+
+#include "simulatedRecordings.H"
+#include "stages.H"
+
+#include <random>
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+wordList namesOf(const stacked& data)
+{
+    wordList names;
+    for (const segment& s : data.segments)
+    {
+        names.append(word(s.name, false));
+    }
+    return names;
+}
+
+
+//- What a diagnosis knows of the experiment before its recordings: surface and covariance
+void addRuns(study& s)
+{
+    addUncertainty(s);
+    addCalibrationRuns(s);
+    if (s.set.trainingEnsemble || s.ask.trainingEnsemble().size())
+    {
+        return;
+    }
+    const std::vector<int> every(statistics::inOrder(s.names.size()));
+    s.addRuns(s.sensitivityDesign(s.bounds.mean, every));
+    s.build();
+}
+
+} // End anonymous namespace
+
+
+Foam::misfit::simulatedRecordings::simulatedRecordings
+(
+    sampler& ask,
+    const settings& set,
+    const label repeats
+)
+:
+    all_(ask.data().first(), repeats),
+    whole_(ask, all_, all_.data().y, namesOf(all_.data()), false),
+    study_(whole_, set)
+{
+    addRuns(study_);
+}
+
+
+Foam::misfit::vec Foam::misfit::simulatedRecordings::operator()
+(
+    const label mechanism,
+    const scalar strength,
+    const label draw
+) const
+{
+    const variableBounds& bounds = study_.bounds;
+    std::mt19937 generator(study_.set.seed + 1000003*draw);
+    std::normal_distribution<scalar> normal;
+
+    hypothesisFit truth;
+    vec x = bounds.mean;
+    for (label i = 0; i < bounds.nParameters; ++i)
+    {
+        const scalar drawn = bounds.mean[i] + bounds.deviation[i]*normal(generator);
+        x[i] = min(max(drawn, bounds.lower[i]), bounds.upper[i]);
+    }
+    truth.best.x = x.head(bounds.nParameters);
+    if (mechanism >= 0)
+    {
+        x[bounds.nParameters + mechanism] = strength;
+        truth.what.mechanisms = {int(mechanism)};
+        truth.best.x.conservativeResize(bounds.nParameters + 1);
+        truth.best.x[bounds.nParameters] = strength;
+    }
+
+    // Nature's formula is another one
+    const sampledModel& m = study_.calibration;
+    const vec f = m.surface()(x);
+    const whitener white(m.uncertainty().at(f) + m.score().modelDiscrepancy(truth));
+    vec independent(f.size());
+    for (scalar& value : independent)
+    {
+        value = normal(generator);
+    }
+    return f + white.colour(independent);
+}
