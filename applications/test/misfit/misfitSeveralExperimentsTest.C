@@ -190,7 +190,8 @@ TEST(misfitSeveralExperiments, whatOneCannotTellApartIsNamedByBoth)
 TEST(misfitSeveralExperiments, oneWithoutARecordingIsRefused)
 {
     const std::string text(twoCalibrations + valuesOf({{"A", {1, 2, 3}}}));
-    const dictionary dict(IStringStream(text)());
+    IStringStream is(text);
+    const dictionary dict(is);
     expectHolds
     (
         refusal([&]() { recordings(dict, "").checkEnough(dict, 2); }),
