@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A calibration by several experiments: one run in each, fitted as one.
 
+#include "covariance.H"
 #include "diagnosis.H"
 #include "sampler.H"
+#include "sensorFault.H"
 #include "terminalOutput.H"
 #include "worldDiagnosis.H"
 
@@ -197,4 +199,47 @@ TEST(misfitSeveralExperiments, oneWithoutARecordingIsRefused)
         refusal([&]() { recordings(dict, "").checkEnough(dict, 2); }),
         "experiment B has no recorded channel"
     );
+}
+
+
+TEST(misfitSeveralExperiments, aFreeCorrectionIsRefused)
+{
+    const std::string text(threeExperiments + " correction { }");
+    IStringStream is(text);
+    const dictionary dict(is);
+    expectHolds
+    (
+        refusal([&]() { recordings(dict, "").checkEnough(dict, 2); }),
+        "follows the water of one experiment"
+    );
+}
+
+
+TEST(misfitSeveralExperiments, eachHasItsOwnZeroOfTime)
+{
+    stacked data;
+    for (const std::string experiment : {"A", "A", "B"})
+    {
+        segment s;
+        s.name = "S" + std::to_string(data.segments.size());
+        s.experiment = experiment;
+        s.quantity = "pressure";
+        s.first = 3*data.segments.size();
+        s.size = 3;
+        s.x = vec::LinSpaced(3, 0, 2);
+        s.span = 1;
+        s.readings = vec::Constant(3, 1);
+        s.uncertainty = 1;
+        data.segments.push_back(s);
+    }
+    data.y = vec::LinSpaced(9, 0, 8);
+    const mat c = covariance(data, 0.5).at(data.y);
+    EXPECT_NEAR(c(0, 3), 0.25, 1e-12);
+    EXPECT_EQ(c(0, 6), 0);
+
+    // Nor can channels of two experiments be exchanged
+    const auto exchanges = possibleFaults(data, {faultKind::swapped});
+    ASSERT_EQ(exchanges.size(), 1u);
+    EXPECT_EQ(exchanges[0].channel, "S0");
+    EXPECT_EQ(exchanges[0].partner, "S1");
 }

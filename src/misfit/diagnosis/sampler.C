@@ -3,6 +3,8 @@
 
 #include "sampler.H"
 
+#include "Pair.H"
+
 namespace
 {
 
@@ -64,30 +66,37 @@ vec stack(const recordings& all, const labelList& channels, const prediction& p)
 }
 
 
+//- First and last time of what was recorded of an experiment [s]
+Pair<scalar> timesOf(const recordings& all, const word& experiment)
+{
+    Pair<scalar> times(GREAT, -GREAT);
+    for (const channel& c : all.channels())
+    {
+        if (c.isRecorded() && c.overTime() && c.experiment == experiment)
+        {
+            times.first() = min(times.first(), c.samples.x[0]);
+            times.second() = max(times.second(), c.samples.x.tail(1)[0]);
+        }
+    }
+    return times;
+}
+
+
 //- Channels of an experiment that were not recorded, at 40 times of their
 //  interval, or else of those that were
 stacked possible(const recordings& all, const word& experiment)
 {
     const wordList parts(all.parts(experiment));
     stacked data;
-    scalar first = GREAT;
-    scalar last = -GREAT;
-    for (const channel& c : all.channels())
-    {
-        if (c.isRecorded() && c.overTime() && parts.found(c.experiment))
-        {
-            first = min(first, c.samples.x[0]);
-            last = max(last, c.samples.x.tail(1)[0]);
-        }
-    }
     label n = 0;
     for (const channel& c : all.channels())
     {
         const bool isPossible =
             !c.isRecorded() && c.overTime() && parts.found(c.experiment);
+        const Pair<scalar> recorded(timesOf(all, c.experiment));
         const bool given = c.interval.first() > -GREAT;
-        const scalar from = given ? c.interval.first() : first;
-        const scalar to = given ? c.interval.second() : last;
+        const scalar from = given ? c.interval.first() : recorded.first();
+        const scalar to = given ? c.interval.second() : recorded.second();
         if (isPossible && to > from)
         {
             segment s(segmentOf(c, n));

@@ -162,6 +162,7 @@ Foam::misfit::channel::channel
     const point where(dict.getOrDefault<point>("place", Zero));
     statistics::segment& s = samples;
     s.name = name;
+    s.experiment = experiment;
     s.quantity = dict.get<word>("quantity");
     s.recorder = dict.getOrDefault<word>("recorder", word());
     s.overTime = at < 0;

@@ -340,6 +340,14 @@ void Foam::misfit::recordings::checkEnough
 ) const
 {
     checkHeldOut(dict);
+    if (dict.found("correction") && experiments(purpose::calibration).size() > 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "A free correction follows the water of one experiment, and"
+            << keywords::listed(experiments(purpose::calibration)).c_str()
+            << " are all for calibration. Take correction out, or give all but one of"
+            << " them  use validation;" << exit(FatalIOError);
+    }
     label samples = 0;
     for (const channel& c : channels_)
     {

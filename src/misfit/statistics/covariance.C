@@ -3,6 +3,7 @@
 
 #include "covariance.H"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -303,13 +304,33 @@ void statistics::covariance::addDirections
 }
 
 
+statistics::mat statistics::covariance::clockShifts(const vec& f) const
+{
+    const vec slope = timeSlope(data_, f);
+    std::vector<std::string> experiments;
+    mat shifts(f.size(), 0);
+    for (const segment& s : data_.segments)
+    {
+        const auto known = std::find(experiments.begin(), experiments.end(), s.experiment);
+        const auto column = known - experiments.begin();
+        if (known == experiments.end())
+        {
+            experiments.push_back(s.experiment);
+            appendColumn(shifts, vec::Zero(f.size()));
+        }
+        shifts.col(column).segment(s.first, s.size) = clockUncertainty_*s.of(slope);
+    }
+    return shifts;
+}
+
+
 statistics::mat statistics::covariance::at(const vec& f) const
 {
     mat all = fixed_ + ofGains(f);
     if (clockUncertainty_ > 0)
     {
-        const vec shift = clockUncertainty_*timeSlope(data_, f);
-        all += shift*shift.transpose();
+        const mat shifts = clockShifts(f);
+        all += shifts*shifts.transpose();
     }
     return all;
 }
@@ -322,8 +343,7 @@ statistics::covariance::sources(const vec& f) const
     all[0].second += ofGains(f).diagonal();
     if (clockUncertainty_ > 0)
     {
-        const vec shift = clockUncertainty_*timeSlope(data_, f);
-        all.push_back({"clock", shift.cwiseAbs2()});
+        all.push_back({"clock", clockShifts(f).rowwise().squaredNorm()});
     }
     for (uncertaintySource& s : all)
     {

@@ -116,7 +116,7 @@ faults towards
     for (const segment& b : data.segments)
     {
         const bool alike =
-            b.name != a.name && a.quantity == b.quantity
+            b.name != a.name && a.experiment == b.experiment && a.quantity == b.quantity
          && a.overTime == b.overTime && !a.isNumber() && !b.isNumber();
         if (alike && (kind == faultKind::misplaced || a.first < b.first))
         {
