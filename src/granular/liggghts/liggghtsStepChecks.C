@@ -83,14 +83,14 @@ namespace
 
     //- Stop where the step [s] is above the shortest Rayleigh time, warn where it is
     //  near
-    void compare(const scalar dt, const extremes& result, const fileName& script)
+    void checkRayleigh(const scalar dt, const extremes& grains, const fileName& script)
     {
-        const scalar shortest = result.rayleighTime;
+        const scalar shortest = grains.rayleighTime;
         const scalar fraction = dt/shortest;
         const string units
         (
-            result.density < 100
-          ? "\n    A density is " + Foam::name(result.density)
+            grains.density < 100
+          ? "\n    A density is " + Foam::name(grains.density)
               + " kg/m3: was it given in g/cm3?"
           : ""
         );
@@ -214,5 +214,5 @@ void Foam::liggghtsChecks::timeStep
         return;
     }
 
-    compare(update.dt, result, script);
+    checkRayleigh(update.dt, result, script);
 }

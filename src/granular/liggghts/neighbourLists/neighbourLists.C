@@ -124,7 +124,7 @@ void Foam::neighbourLists::chooseSkin()
 {
     if (skin == liggghtsSkin)
     {
-        defaultSkin_ = skin = defaultSkin();
+        chosenSkin_ = skin = defaultSkin();
     }
     if (delay == liggghtsDelay)
     {
@@ -184,9 +184,9 @@ void Foam::neighbourLists::boundBins()
 
 void Foam::neighbourLists::init()
 {
-    if (skin == defaultSkin_)
+    if (skin == chosenSkin_)
     {
-        defaultSkin_ = skin = defaultSkin();
+        chosenSkin_ = skin = defaultSkin();
     }
 
     Neighbor::init();
