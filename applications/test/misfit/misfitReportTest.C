@@ -281,9 +281,9 @@ TEST(misfitReport, theConfidenceSaysOfWhat)
         (
             box(f),
             "Confidence 90 % that this is at least part of what is missing, the"
-            " fraction of such verdicts that was right in cases whose cause was known. The"
+            " fraction of such verdicts that were right in cases whose cause was known. The"
             " cases of etc/misfit/confidence are water without grains: for a case with"
-            " grains it is not calibrated."
+            " grains the confidence is not calibrated."
         )
     );
     finding uncounted(f);

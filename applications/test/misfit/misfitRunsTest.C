@@ -48,47 +48,71 @@ TEST(misfitRuns, aSpareDictionaryMakesNoOtherRuns)
     const std::string header("FoamFile { version 2.0; object misfitDict; }\n");
     once(c, {withSlope(2)});
     c.write("system/misfitDict.levels", header);
-    c.write("system/spare", header);
+    c.write("system/misfitDict.spare", header);
     once(c, {withSlope(2)});
     EXPECT_EQ(c.count(), 1);
 
     // What a run reads makes others
-    c.write("system/more", "deltaT 1;\n#include \"spare\"\n");
+    c.write("system/more", "deltaT 1;\n#include \"misfitDict.spare\"\n");
     once(c, {withSlope(2)});
     EXPECT_EQ(c.count(), 2);
-    c.write("system/spare", header + "endTime 2;\n");
+    c.write("system/misfitDict.spare", header + "endTime 2;\n");
     once(c, {withSlope(2)});
     EXPECT_EQ(c.count(), 3);
 
-    // As does what that includes, what a command names, and another file by any name
-    c.write("system/spare", header + "#include \"misfitDict.levels\"\n");
-    once(c, {withSlope(2)});
+    // As does what that may include, and another file by any name
     c.write("system/misfitDict.levels", header + "deltaT 1;\n");
     once(c, {withSlope(2)});
-    EXPECT_EQ(c.count(), 5);
+    EXPECT_EQ(c.count(), 4);
     c.write("system/misfitDict.other", "object other;\n");
     once(c, {withSlope(2)});
-    EXPECT_EQ(c.count(), 6);
+    EXPECT_EQ(c.count(), 5);
 }
 
 
-TEST(misfitRuns, aSpareDictionaryThatACommandMayReadIsPartOfTheRun)
+TEST(misfitRuns, aDictionaryOfAProgramWithACopiedHeaderIsPartOfTheRun)
 {
-    for (const std::string& command : {"cat system/third", "cp system/*"})
+    const fakeCase c;
+    const std::string header("FoamFile { version 2.0; object misfitDict; }\n");
+    c.write("system/setFieldsDict", header + "level 1;\n");
+    once(c, {withSlope(2)});
+    c.write("system/setFieldsDict", header + "level 2;\n");
+    once(c, {withSlope(2)});
+    EXPECT_EQ(c.count(), 2);
+}
+
+
+TEST(misfitRuns, aSpareDictionaryThatARunMayReadIsPartOfIt)
+{
+    const std::string header("FoamFile { object misfitDict; }\n");
+    const auto runs = [&](const std::string& command, const std::string& more)
     {
         const fakeCase c;
-        const std::string header("FoamFile { object misfitDict; }\n");
-        c.write("copy", "x");
-        c.write("system/third", header);
+        c.write("system/misfitDict.third", header);
+        c.write("system/more", more);
         const std::string commands
         (
             "commands (\"true " + command + "\" \"bash system/solver\"); "
         );
         fakePredictor(c, commands)({withSlope(2)});
-        c.write("system/third", header + "more 1;\n");
+        c.write("system/misfitDict.third", header + "more 1;\n");
         fakePredictor(c, commands)({withSlope(2)});
-        EXPECT_EQ(c.count(), 2) << command;
+        return c.count();
+    };
+    for (const std::string command :
+        {
+            "cat system/misfitDict.third", "cp system/*", "cat system/misfit*",
+            "cat system/m?sfitDict.third", "cp -r system x", "find system", "cd system/"
+        })
+    {
+        EXPECT_EQ(runs(command, ""), 2) << command;
     }
+    EXPECT_EQ(runs("", "#include \"misfitDict.$scene\"\n"), 2);
+    EXPECT_EQ(runs("", "#include \"$name\"\n"), 2);
+    EXPECT_EQ(runs("", "cat system/$1\n"), 2);
+
+    // A folder in a variable, as $FOAM_CASE, hides no name
+    EXPECT_EQ(runs("cat system/fvSchemes", "#include \"$FOAM_CASE/constant/chute\"\n"), 1);
 }
 
 

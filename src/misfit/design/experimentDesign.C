@@ -275,10 +275,18 @@ const designRow& leastCertain
 {
     const designRow* best = nullptr;
     const auto distance = [](const designRow& r) { return mag(r.share(r.named) - 0.5); };
+
+    // Of those that are never named the strongest: there a channel may help
+    const auto isNearer = [&](const designRow& r)
+    {
+        return
+            distance(r) < distance(*best)
+         || (distance(r) == distance(*best) && r.share(r.named) < 0.5);
+    };
     for (const designRow& r : rows)
     {
         const bool its = r.mechanism == mechanism && r.repeats == repeats;
-        if (its && (!best || distance(r) < distance(*best)))
+        if (its && (!best || isNearer(r)))
         {
             best = &r;
         }

@@ -63,7 +63,8 @@ Foam::misfit::vec Foam::misfit::simulatedRecordings::operator()
 ) const
 {
     const variableBounds& bounds = study_.bounds;
-    std::mt19937 generator(study_.set.seed + 1000003*draw);
+    std::seed_seq seeds{label(study_.set.seed), draw + 1, label(53)};
+    std::mt19937 generator(seeds);
     std::normal_distribution<scalar> normal;
 
     hypothesisFit truth;

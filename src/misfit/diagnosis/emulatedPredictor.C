@@ -149,11 +149,26 @@ Foam::misfit::emulatedPredictor::emulated(const runState& s) const
     }
     const emulator& e = position->second;
     vec y = (*e.surface)(variables(s));
+
+    // Of a replicate and of a resolution each the mean over its runs
+    mat replicate;
+    mat resolution;
     forAll(states_, i)
     {
         if (isVariantOf(i, s))
         {
-            y += onGrids(e.grids, runs_[i]) - (*e.surface)(variables(states_[i]));
+            statistics::appendColumn
+            (
+                states_[i].resolution == "base" ? replicate : resolution,
+                onGrids(e.grids, runs_[i]) - (*e.surface)(variables(states_[i]))
+            );
+        }
+    }
+    for (const mat* changes : {&replicate, &resolution})
+    {
+        if (changes->cols())
+        {
+            y += changes->rowwise().mean();
         }
     }
 

@@ -325,7 +325,8 @@ vec deviationWith(const study& s, const evidence& e, const decision& d)
     {
         known -= s.calibration.score().unknownShape(best.amplitude, best.length);
     }
-    return known.diagonal().cwiseSqrt();
+    // Rounding may leave less than nothing
+    return known.diagonal().cwiseMax(0).cwiseSqrt();
 }
 
 } // End anonymous namespace

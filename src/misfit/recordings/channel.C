@@ -226,7 +226,7 @@ void Foam::misfit::channel::plan
             << " second, which is above zero" << exit(FatalError);
     }
     const label most = 1000000;
-    const label n = min(max(label(rate*(to - from)) + 1, nSamples), most);
+    const label n = max(label(min(rate*(to - from), most - scalar(1))) + 1, nSamples);
     recorded.x.setSize(n);
     recorded.y.setSize(n, 0.0);
     forAll(recorded.x, i)

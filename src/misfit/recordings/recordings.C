@@ -74,6 +74,12 @@ void Foam::misfit::recordings::readExperiments(const dictionary& dict)
     for (const entry& e : dict.subDict("experiments"))
     {
         keywords::check(e.dict(), {"use", "changes"});
+        if (word(e.keyword()).find('+') != string::npos)
+        {
+            FatalIOErrorInFunction(dict)
+                << "The name of the experiment " << e.keyword() << " has a +, which stands"
+                << " between the names of several: give it another" << exit(FatalIOError);
+        }
         experiments_.append(e.keyword());
         purposes_.append
         (

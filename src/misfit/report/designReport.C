@@ -183,7 +183,7 @@ std::string Foam::misfit::designTable(const experimentDesign& d)
     line
     ({
         "cause", "strength", "repeats", "detected", "named", "in a set", "wrong", "needed",
-        "most often else"
+        "other answer"
     });
     for (const designRow& r : d.rows)
     {
@@ -202,11 +202,11 @@ std::string Foam::misfit::designTable(const experimentDesign& d)
         }
         line(cells);
     }
-    os << "needed: smallest number of repeats tried with which the right name comes with"
+    os << "needed: fewest repeats that were tried and give the right name with"
         << " probability " << numberWords(d.probability) << '\n';
     for (const designOption& o : d.options)
     {
-        os << "With the channel " << o.channel << " besides: right names from "
+        os << "Adding the channel " << o.channel << " changes right names from "
             << percentWords(o.before) << " to " << percentWords(o.after) << '\n';
     }
     return os.str();

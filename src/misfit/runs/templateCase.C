@@ -64,26 +64,48 @@ string digest(const string& text)
 }
 
 
-//- True of the text of a dictionary of misfitFoam, by its header
-bool isMisfitDict(const string& text)
+//- True of a dictionary of misfitFoam beside the one in use, by its name and its header:
+//  a header alone may be a copy in a file that a program reads
+bool isMisfitDict(const fileName& file)
 {
     static const std::regex header(R"(FoamFile\s*\{[^}]*\bobject\s+misfitDict\s*;)");
-    return std::regex_search(text, header);
+    return
+        file.name().find("misfitDict") == 0
+     && std::regex_search(contentOf(file), header);
 }
 
 
-//- True if a text names that file of system, or has a pattern that it may match
-bool mayRead(const string& text, const word& file)
+//- True if a command or a script works on the folder system, or on files there by a pattern
+bool worksOnSystem(const string& text)
 {
-    for (const string& name : {string(file), string("misfitDict*"), string("misfitDict.*"),
-        string("system/*")})
+    static const std::regex folder
+    (
+        R"((^|[\s"'=/(])system(/?($|[\s"';)&|])|/[^\s"';]*[*?\[$]))"
+    );
+    return std::regex_search(text, folder);
+}
+
+
+//- True if an include has a variable in the name of its file
+bool includesVariable(const string& text)
+{
+    static const std::regex include(R"(#\s*include\w*\s+"[^"]*\$[^"/]*")");
+    return std::regex_search(text, include);
+}
+
+
+//- True if a text may read a dictionary of misfitFoam. A word is sought before a pattern,
+//  which takes long in a large file
+bool mayReadMisfitDict(const string& text)
+{
+    const auto has = [&text](const char* word)
     {
-        if (text.find(name) != string::npos)
-        {
-            return true;
-        }
-    }
-    return false;
+        return text.find(word) != string::npos;
+    };
+    return
+        has("misfitDict")
+     || (has("include") && includesVariable(text))
+     || (has("system") && !has("FoamFile") && worksOnSystem(text));
 }
 
 
@@ -148,38 +170,19 @@ std::set<Foam::fileName> Foam::misfit::templateCase::spareDictionaries
 ) const
 {
     std::set<fileName> spare;
+    bool read = std::any_of(commands_.cbegin(), commands_.cend(), mayReadMisfitDict);
     for (const fileName& f : files)
     {
-        if (f.find(folder/"system/") == 0 && !isOwn(f) && isMisfitDict(contentOf(f)))
+        if (f.find(folder/"system/") == 0 && !isOwn(f) && isMisfitDict(f))
         {
             spare.insert(f);
         }
-    }
-    const auto count = [&spare](const string& text)
-    {
-        const size_t before = spare.size();
-        for (auto f = spare.begin(); f != spare.end();)
+        else if (!isOwn(f) && f.find("/polyMesh/") == string::npos)
         {
-            f = mayRead(text, f->name()) ? spare.erase(f) : std::next(f);
-        }
-        return spare.size() < before;
-    };
-    for (const string& c : commands_)
-    {
-        count(c);
-    }
-
-    // One that counts may include others
-    bool again = spare.size();
-    while (again)
-    {
-        again = false;
-        for (const fileName& f : files)
-        {
-            again = (!isOwn(f) && !spare.count(f) && count(contentOf(f))) || again;
+            read = read || mayReadMisfitDict(contentOf(f));
         }
     }
-    return spare;
+    return read ? std::set<fileName>() : spare;
 }
 
 

@@ -60,7 +60,8 @@ emulatedPredictor emulator()
     ({
         at(0, 0), at(-1, 0), at(1, 0), at(0, 0.5), at(0, 1), at(1, 1),
         at(-1, 0.5), at(0.5, 0.3), at(0, 0, "mesh"),
-        replicated(at(0, 0), 2), replicated(at(0, 0, "mesh"), 2)
+        // The same replicate more than once: its change counts once
+        replicated(at(0, 0), 2), replicated(at(1, 1), 2), replicated(at(0, 0, "mesh"), 2)
     });
     List<prediction> runs;
     for (const runState& s : states)
