@@ -71,7 +71,7 @@ bool isMisfitDict(const fileName& file)
     static const std::regex header(R"(FoamFile\s*\{[^}]*\bobject\s+misfitDict\s*;)");
     return
         file.name().find("misfitDict") == 0
-     && std::regex_search(contentOf(file), header);
+     && std::regex_search(misfit::contentOf(file), header);
 }
 
 
