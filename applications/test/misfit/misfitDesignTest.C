@@ -301,5 +301,5 @@ TEST(misfitDesign, itIsReadByProgramsAndPeople)
     expectHolds(page, "<td>drag</td><td>0.5</td><td>1</td><td>95 %</td><td>40 %</td>");
     expectHolds(page, "<td>leak (25 %)</td>");
     expectHolds(page, "<td>P3</td><td>40 %</td><td>75 %</td>");
-    expectHolds(designTable(d), "P3 besides: right names from 40 % to 75 %");
+    expectHolds(designTable(d), "Adding the channel P3 changes right names from 40 % to 75 %");
 }

@@ -89,7 +89,7 @@ TEST(misfitRuns, aSpareDictionaryThatARunMayReadIsPartOfIt)
     {
         const fakeCase c;
         c.write("system/misfitDict.third", header);
-        c.write("system/more", more);
+        c.write("system/beside", more);
         const std::string commands
         (
             "commands (\"true " + command + "\" \"bash system/solver\"); "
