@@ -38,7 +38,7 @@ Foam::densePacking::densePacking(const dictionary& dict, const vector&)
         fillFoot();
     }
 
-    checkRoom(box());
+    checkGrainVolume(box());
     if (diameters_.empty())
     {
         FatalIOErrorInFunction(dict_)

@@ -136,7 +136,7 @@ Foam::scalar Foam::packingModel::positive(const word& key) const
 }
 
 
-void Foam::packingModel::checkRoom(const packingBox& box) const
+void Foam::packingModel::checkGrainVolume(const packingBox& box) const
 {
     if (cmptMin(box.span()) < sizes_.largest())
     {

@@ -56,7 +56,7 @@ Foam::settledPacking::settledPacking
     fraction_(dict.lookupOrDefault("solidFraction", pouredFraction)),
     nTiles_(readTiles())
 {
-    checkRoom(box_);
+    checkGrainVolume(box_);
     checkGravity();
 }
 

@@ -80,7 +80,7 @@ int main(int argc, char *argv[])
     while (output.run())
     {
         #include "readTimeControls.H"
-        #include "timeStep.H"
+        #include "setDeltaT.H"
         #include "exchange.H"
 
         ++runTime;

@@ -62,8 +62,8 @@ TEST(demCoupling, grainsThatAllStartOutsideAreAnErrorAlsoWhereTheyMayLeave)
 TEST(demCoupling, grainsAloneTellTheirNumberAtEachTimeWritten)
 {
     boxOfWater w;
-    const demCoupling grains(w.box().mesh(), g);
-    const std::string output(outputDuring([&]{ grains.report(); }));
+    const demCoupling coupling(w.box().mesh(), g);
+    const std::string output(outputDuring([&]{ coupling.report(); }));
 
     EXPECT_NE(output.find("Grains: 4 = 4 located + 0 outside"), std::string::npos)
         << output;
@@ -100,10 +100,10 @@ TEST(demCoupling, warnsOfLoneSlowGrainsThatDragTheirCellAlong)
     const auto output = [](const scalar mu, const std::string& smoothing)
     {
         boxOfWater w("voidFraction { smoothing { " + smoothing + " } }");
-        demCoupling grains(w.box().mesh(), hydrostatics(g));
+        demCoupling coupling(w.box().mesh(), hydrostatics(g));
         fluidFields fluid(w.water());
         fluid.mu = mu;
-        return outputDuring([&]{ grains.start(fluid); });
+        return outputDuring([&]{ coupling.start(fluid); });
     };
 
     // 1.59 d over a cell of 0.25 m, and the bell of 60 mm

@@ -11,22 +11,22 @@ using namespace Foam;
 TEST(demCoupling, hasNoGrainsWithoutTheirDictionary)
 {
     testMesh box;
-    const demCoupling grains(box.mesh(), hydrostatics(g));
+    const demCoupling coupling(box.mesh(), hydrostatics(g));
 
-    EXPECT_FALSE(grains.hasGrains());
-    EXPECT_FALSE(grains.due());
+    EXPECT_FALSE(coupling.hasGrains());
+    EXPECT_FALSE(coupling.due());
 }
 
 
 TEST(demCoupling, takesAWholeNumberOfFluidStepsInAnInterval)
 {
     boxOfWater w;
-    const demCoupling grains(w.box().mesh(), hydrostatics(g));
+    const demCoupling coupling(w.box().mesh(), hydrostatics(g));
 
-    EXPECT_TRUE(grains.due());
-    EXPECT_NEAR(grains.stepInInterval(1), interval, 1e-12*interval);
-    EXPECT_NEAR(grains.stepInInterval(interval), interval, 1e-12*interval);
-    EXPECT_NEAR(grains.stepInInterval(0.3*interval), interval/4, 1e-12*interval);
+    EXPECT_TRUE(coupling.due());
+    EXPECT_NEAR(coupling.stepInInterval(1), interval, 1e-12*interval);
+    EXPECT_NEAR(coupling.stepInInterval(interval), interval, 1e-12*interval);
+    EXPECT_NEAR(coupling.stepInInterval(0.3*interval), interval/4, 1e-12*interval);
 }
 
 
@@ -34,7 +34,7 @@ TEST(demCoupling, goesEvenlyToTheVoidFractionThatTheGrainsLeave)
 {
     boxOfWater w;
     const fvMesh& mesh = w.box().mesh();
-    demCoupling grains(mesh, hydrostatics(g));
+    demCoupling coupling(mesh, hydrostatics(g));
     const fluidFields water(w.water());
     volScalarField voidFraction
     (
@@ -42,16 +42,16 @@ TEST(demCoupling, goesEvenlyToTheVoidFractionThatTheGrainsLeave)
         mesh,
         dimensionedScalar("one", dimless, 1)
     );
-    const scalarField before(1 - grains.solidFraction());
-    grains.start(water);
+    const scalarField before(1 - coupling.solidFraction());
+    coupling.start(water);
 
-    grains.moveGrains();
-    grains.locateGrains();
-    grains.findVoidFraction();
-    grains.prepareForces(water);
+    coupling.moveGrains();
+    coupling.locateGrains();
+    coupling.findVoidFraction();
+    coupling.prepareForces(water);
 
-    EXPECT_FALSE(grains.due());
-    const scalarField after(1 - grains.solidFraction());
+    EXPECT_FALSE(coupling.due());
+    const scalarField after(1 - coupling.solidFraction());
     EXPECT_GT(max(mag(after - before)), 1e-12);
 
     // Times the interval, whatever the fluid's step
@@ -59,7 +59,7 @@ TEST(demCoupling, goesEvenlyToTheVoidFractionThatTheGrainsLeave)
     {
         return scalarField
         (
-            interval*grains.voidFractionRate(voidFraction, dt)().field()
+            interval*coupling.voidFractionRate(voidFraction, dt)().field()
         );
     };
     voidFraction.primitiveFieldRef() = before;
@@ -74,14 +74,14 @@ TEST(demCoupling, givesGrainsTheOppositeOfWhatTheFluidGets)
 {
     boxOfWater w;
     const fvMesh& mesh = w.box().mesh();
-    demCoupling grains(mesh, hydrostatics(g));
+    demCoupling coupling(mesh, hydrostatics(g));
     const fluidFields water(w.water());
-    grains.start(water);
+    coupling.start(water);
 
-    grains.moveGrains();
-    grains.locateGrains();
-    grains.findVoidFraction();
-    grains.prepareForces(water);
+    coupling.moveGrains();
+    coupling.locateGrains();
+    coupling.findVoidFraction();
+    coupling.prepareForces(water);
 
     const surfaceScalarField none
     (
@@ -89,13 +89,13 @@ TEST(demCoupling, givesGrainsTheOppositeOfWhatTheFluidGets)
         mesh,
         dimensionedScalar(dimPressure/dimLength*dimArea, Zero)
     );
-    grains.addFluidStep
+    coupling.addFluidStep
     (
         water.U, water.rho, none, water.U, vectorField(), interval
     );
-    EXPECT_TRUE(grains.due());
-    grains.setParticleForces(water.U);
+    EXPECT_TRUE(coupling.due());
+    coupling.setParticleForces(water.U);
 
-    EXPECT_LT(grains.forces().residual(), 1e-12);
-    EXPECT_EQ(grains.forces().force().size(), 4);
+    EXPECT_LT(coupling.forces().residual(), 1e-12);
+    EXPECT_EQ(coupling.forces().force().size(), 4);
 }

@@ -31,9 +31,9 @@ TEST(demCoupling, grainsCarryWaterAlongFromTheFirstIntervalOn)
     {
         boxOfWater w(carryingWater);
         w.placeGrains(0.5, 0.02, density);
-        demCoupling grains(w.box().mesh(), hydrostatics(g));
-        grains.start(w.water());
-        grains.moveGrains();
+        demCoupling coupling(w.box().mesh(), hydrostatics(g));
+        coupling.start(w.water());
+        coupling.moveGrains();
 
         const auto& phase =
             w.box().mesh().lookupObject<granularPhase>(granularPhase::typeName);
@@ -49,9 +49,9 @@ TEST(demCoupling, aGrainThatComesInFeelsTheWaterAtOnce)
     {
         boxOfWater w(carryingWater);
         w.insertGrain(density);
-        demCoupling grains(w.box().mesh(), hydrostatics(g));
-        grains.start(w.water());
-        grains.moveGrains([&]{ return w.water(); });
+        demCoupling coupling(w.box().mesh(), hydrostatics(g));
+        coupling.start(w.water());
+        coupling.moveGrains([&]{ return w.water(); });
 
         const auto& phase =
             w.box().mesh().lookupObject<granularPhase>(granularPhase::typeName);
@@ -75,13 +75,13 @@ TEST(demCoupling, goesOnWithoutGrainsAndTakesThoseThatComeIn)
         {
             w.insertGrain(2500);
         }
-        demCoupling grains(w.box().mesh(), hydrostatics(g));
-        grains.start(w.water());
-        exchangeOnce(grains, w);
-        EXPECT_TRUE(grains.write());
-        exchangeOnce(grains, w);
+        demCoupling coupling(w.box().mesh(), hydrostatics(g));
+        coupling.start(w.water());
+        exchangeOnce(coupling, w);
+        EXPECT_TRUE(coupling.write());
+        exchangeOnce(coupling, w);
 
-        EXPECT_EQ(grains.forces().force().size(), enters ? 1 : 0);
-        EXPECT_TRUE(std::isfinite(grains.forces().residual()));
+        EXPECT_EQ(coupling.forces().force().size(), enters ? 1 : 0);
+        EXPECT_TRUE(std::isfinite(coupling.forces().residual()));
     }
 }

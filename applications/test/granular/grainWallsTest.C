@@ -156,7 +156,7 @@ public:
             liggghts_->command(line);
         }
 
-        walls().makeRoom(*liggghts_);
+        walls().enlargeBox(*liggghts_);
         walls().add(*liggghts_);
         liggghts_->setup();
         liggghts_->run(1);

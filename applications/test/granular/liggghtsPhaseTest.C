@@ -52,10 +52,10 @@ TEST(liggghtsPhase, binsAreAsManyAsTheGrainsWhateverTheirBox)
     boxOfWater w;
     w.placeGrains(0.5, 1e-4);
     w.addPhysics("neighbor 1e-4 bin\ntimestep 1e-7");
-    demCoupling grains(w.box().mesh(), hydrostatics(g));
-    grains.start(w.water());
-    exchangeOnce(grains, w);
-    EXPECT_TRUE(grains.write());
+    demCoupling coupling(w.box().mesh(), hydrostatics(g));
+    coupling.start(w.water());
+    exchangeOnce(coupling, w);
+    EXPECT_TRUE(coupling.write());
 }
 
 

@@ -91,7 +91,7 @@ TEST(excessPressure, isFeltByItsStrengthAndBuoyancyInFull)
            -volumeOf(d)*(atRest + strength*(gradient - atRest))
         );
         EXPECT_LT(mag(forces->force()[0] - exact), 1e-12*mag(exact));
-        EXPECT_EQ(max(mag(forces->pressureShare())), 0);
+        EXPECT_EQ(max(mag(forces->pressureByDrag())), 0);
     }
 }
 
@@ -144,7 +144,7 @@ TEST(excessPressure, isPassedOnAsDragWhereItMovesTheGrain)
 
             EXPECT_LT(mag(forces->force()[0] - exact), 1e-9*mag(exact))
                 << "strength " << strength << ", borne " << borne;
-            EXPECT_EQ(max(mag(forces->pressureShare())) > 0, strength > 0);
+            EXPECT_EQ(max(mag(forces->pressureByDrag())) > 0, strength > 0);
         }
     }
 }

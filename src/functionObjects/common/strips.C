@@ -109,9 +109,9 @@ void Foam::strips::reduce()
 
 Foam::scalar Foam::strips::quantile(const scalar q) const
 {
-    const scalar wanted = q*sum(values_);
+    const scalar target = q*sum(values_);
 
-    if (wanted <= 0)
+    if (target <= 0)
     {
         return start_;
     }
@@ -120,9 +120,9 @@ Foam::scalar Foam::strips::quantile(const scalar q) const
 
     forAll(values_, i)
     {
-        if (values_[i] > 0 && below + values_[i] >= wanted)
+        if (values_[i] > 0 && below + values_[i] >= target)
         {
-            return start_ + (i + (wanted - below)/values_[i])*width_;
+            return start_ + (i + (target - below)/values_[i])*width_;
         }
         below += values_[i];
     }

@@ -238,7 +238,7 @@ void Foam::grainPointContact::check
 void Foam::grainPointContact::push
 (
     const bead& grain,
-    load& given,
+    load& sum,
     const label i,
     const pointGrid& grid,
     const pointSet& points,
@@ -278,11 +278,11 @@ void Foam::grainPointContact::push
     const scalar speed = mag(sliding);
     const scalar tangential = min(friction_*normal, mass*speed/step);
     const vector friction(-tangential/max(speed, VSMALL)*sliding);
-    const vector sum(normal*n + friction);
+    const vector contact(normal*n + friction);
 
-    given.force += sum;
-    given.torque += arm^friction;
-    force[i] -= sum;
+    sum.force += contact;
+    sum.torque += arm^friction;
+    force[i] -= contact;
 }
 
 
@@ -297,7 +297,7 @@ Foam::grainPointContact::load Foam::grainPointContact::touch
 {
     const point& centre = grain.position;
     const scalar reach = grain.radius + radius_;
-    load given;
+    load sum;
     const vector away(vector::uniform(reach));
     FixedList<label, 3> low(0), high(0);
 
@@ -329,14 +329,14 @@ Foam::grainPointContact::load Foam::grainPointContact::touch
                     const vector from(solved(centre - points.x[i], grid));
                     if (magSqr(from) < sqr(reach))
                     {
-                        push(grain, given, i, grid, points, from, force, step);
+                        push(grain, sum, i, grid, points, from, force, step);
                     }
                 }
             }
         }
     }
 
-    return given;
+    return sum;
 }
 
 
@@ -356,19 +356,19 @@ void Foam::grainPointContact::act
     }
 
     const List<List<bead>> ofRanks(collect(grains));
-    List<List<load>> given(ofRanks.size());
+    List<List<load>> loads(ofRanks.size());
 
     forAll(ofRanks, rank)
     {
-        given[rank].setSize(ofRanks[rank].size());
+        loads[rank].setSize(ofRanks[rank].size());
         forAll(ofRanks[rank], j)
         {
-            given[rank][j] =
+            loads[rank][j] =
                 touch(ofRanks[rank][j], grid, points, force, step);
         }
     }
 
-    const List<List<load>> fromRanks(swapLists(std::move(given)));
+    const List<List<load>> fromRanks(swapLists(std::move(loads)));
     UList<vector> forces(grains.force);
     UList<vector> torques(grains.torque);
 

@@ -134,7 +134,7 @@ Foam::liggghtsPhase::liggghtsPhase
     liggghtsChecks::units(liggghts_, initialScript_);
     liggghtsChecks::sizes(liggghts_, initialScript_);
     liggghtsChecks::domain(liggghts_, mesh, initialScript_);
-    walls_.makeRoom(liggghts_);
+    walls_.enlargeBox(liggghts_);
     liggghts_.chooseSkin();
 
     liggghts_.script(physicsScript_, mesh.time().globalPath());

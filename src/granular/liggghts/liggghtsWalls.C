@@ -238,7 +238,7 @@ bool Foam::liggghtsWalls::hasFaces(const polyPatch& patch)
 }
 
 
-void Foam::liggghtsWalls::makeRoom(liggghtsInstance& liggghts) const
+void Foam::liggghtsWalls::enlargeBox(liggghtsInstance& liggghts) const
 {
     const LAMMPS_NS::Domain& domain = *liggghts->domain;
     boundBox walls;

@@ -110,13 +110,13 @@ Foam::List<Foam::triFace> Foam::wallTriangles::best
     scalar& angle
 )
 {
-    // Between each two corners i < j, the triangulation of the part of the
-    // polygon from i to j: its smallest angle, and the tip of the triangle on
-    // the side from i to j. If all triangles are turned as the polygon is, they
-    // fill it without overlap
+    // Between each two corners i < j, the best triangulation of the part of the
+    // polygon from i to j: its smallest angle, which is its quality, and the tip
+    // of the triangle on the side from i to j. If all triangles are turned as the
+    // polygon is, they fill it without overlap
     const label n = at.size();
     const vector along(normal(at));
-    List<scalar> smallest(n*n, constant::mathematical::pi);
+    List<scalar> quality(n*n, constant::mathematical::pi);
     labelList tip(n*n, -1);
 
     for (label span = 2; span < n; ++span)
@@ -124,21 +124,21 @@ Foam::List<Foam::triFace> Foam::wallTriangles::best
         for (label i = 0; i + span < n; ++i)
         {
             const label j = i + span;
-            scalar& largest = smallest[n*i + j];
-            largest = -GREAT;
+            scalar& highest = quality[n*i + j];
+            highest = -GREAT;
 
             // Of equals that which shares the first corner, as in a fan
             for (label k = j - 1; k > i; --k)
             {
                 const scalar here = min
                 (
-                    min(smallest[n*i + k], smallest[n*k + j]),
+                    min(quality[n*i + k], quality[n*k + j]),
                     smallestAngle(at[i], at[k], at[j], along)
                 );
 
-                if (tip[n*i + j] < 0 || here > largest + 1e-6*mag(largest))
+                if (tip[n*i + j] < 0 || here > highest + 1e-6*mag(highest))
                 {
-                    largest = here;
+                    highest = here;
                     tip[n*i + j] = k;
                 }
             }
@@ -158,7 +158,7 @@ Foam::List<Foam::triFace> Foam::wallTriangles::best
     };
     collect(0, n - 1);
 
-    angle = n > 2 ? smallest[n - 1] : -GREAT;
+    angle = n > 2 ? quality[n - 1] : -GREAT;
 
     return List<triFace>(std::move(triangles));
 }
@@ -213,26 +213,26 @@ Foam::label Foam::wallTriangles::dropTwins
     std::set<corners, before>& others
 )
 {
-    label kept = 0;
+    label n = 0;
 
     forAll(faces, i)
     {
         // The other side has the same corners in another order
-        corners sorted(faces[i]);
-        std::sort(sorted.begin(), sorted.end(), isBefore);
+        corners key(faces[i]);
+        std::sort(key.begin(), key.end(), isBefore);
 
-        if (others.insert(sorted).second)
+        if (others.insert(key).second)
         {
-            if (kept < i)
+            if (n < i)
             {
-                faces[kept] = faces[i];
+                faces[n] = faces[i];
             }
-            ++kept;
+            ++n;
         }
     }
 
-    const label dropped = faces.size() - kept;
-    faces.resize(kept);
+    const label nTwins = faces.size() - n;
+    faces.resize(n);
 
-    return dropped;
+    return nTwins;
 }

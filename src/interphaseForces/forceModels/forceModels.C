@@ -128,7 +128,7 @@ void Foam::forceModels::liftForces
     UList<vector>& forces
 ) const
 {
-    if (!lift.on())
+    if (!lift.isOn())
     {
         forces = vector::zero;
         return;

@@ -237,7 +237,7 @@ Foam::List<Foam::List<Foam::givenByGrain>> Foam::grainForces::coefficients
     );
     const cellWeights& weights = mapping_.weights();
     const label n = exchange_.grains().size();
-    List<List<givenByGrain>> given
+    List<List<givenByGrain>> sums
     (
         mapping_.nSizeClasses(),
         weights.noSums<givenByGrain>()
@@ -282,19 +282,19 @@ Foam::List<Foam::List<Foam::givenByGrain>> Foam::grainForces::coefficients
             givenByGrain gives;
             gives.drag = drag_[i];
             gives.virtualMass = virtualMass_[i];
-            gives.pressureShare = pressure_[i];
+            gives.pressureByDrag = pressure_[i];
             gives.explicitForce =
                 explicit_[i]/fluids[k].rhoOfMomentum
               + drag_[i]*(states[k].slip + meanVelocity_[i]);
-            weights.add(given[mapping_.sizeClass(i)], i, gives);
+            weights.add(sums[mapping_.sizeClass(i)], i, gives);
         }
     }
 
-    for (List<givenByGrain>& cells : given)
+    for (List<givenByGrain>& cells : sums)
     {
         weights.bringHome(cells);
     }
-    return given;
+    return sums;
 }
 
 

@@ -19,7 +19,7 @@ Foam::interphaseForces::interphaseForces
     division_(mesh_),
     dragCoefficient_(mesh_.nCells(), Zero),
     virtualMassCoefficient_(mesh_.nCells(), Zero),
-    pressureShare_(mesh_.nCells(), Zero),
+    pressureByDrag_(mesh_.nCells(), Zero),
     explicitForce_(mesh_.nCells(), Zero),
     residual_(0)
 {}
@@ -51,8 +51,8 @@ void Foam::interphaseForces::prepare
     explicitForce_ =
         rho_*perVolume(&givenByGrain::explicitForce, mapping.ofMomentum());
     explicitForce_ -= dragCoefficient_*fluid.U;
-    pressureShare_ =
-        perVolume(&givenByGrain::pressureShare, mapping.ofVolume());
+    pressureByDrag_ =
+        perVolume(&givenByGrain::pressureByDrag, mapping.ofVolume());
 }
 
 

@@ -2,29 +2,26 @@
 // The error of a function that fails, as text, instead of the end of the program.
 
 #include "failureOf.H"
-#include "error.H"
+#include "exceptionGuard.H"
 #include "IOstreams.H"
 
 Foam::string Foam::misfit::failureOf(const std::function<void()>& attempts)
 {
-    const bool threw = FatalError.throwExceptions();
-    const bool threwIO = FatalIOError.throwExceptions();
-    string failure;
     try
     {
+        const exceptionGuard guard(FatalError);
+        const exceptionGuard guardIO(FatalIOError);
         attempts();
+        return string();
     }
     catch (const Foam::IOerror& e)
     {
-        failure =
+        return
             e.message() + " in " + e.ioFileName() + " at line "
           + Foam::name(e.ioStartLineNumber());
     }
     catch (const Foam::error& e)
     {
-        failure = e.message();
+        return e.message();
     }
-    FatalError.throwExceptions(threw);
-    FatalIOError.throwExceptions(threwIO);
-    return failure;
 }

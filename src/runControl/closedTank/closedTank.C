@@ -11,7 +11,7 @@ namespace
 }
 
 
-void Foam::makeRoom
+void Foam::scaleToGrainVolume
 (
     const volScalarField& p_rgh,
     volScalarField& voidFraction,
@@ -49,7 +49,7 @@ void Foam::makeRoom
 }
 
 
-void Foam::checkRoom
+void Foam::checkGrainVolume
 (
     const volScalarField& p_rgh,
     const volScalarField::Internal& voidFractionRate,

@@ -124,20 +124,20 @@ void Foam::checkLeastStep
 
 Foam::scalar Foam::unlikelySpeed(const volVectorField& U, const vector& g)
 {
-    scalar given = 0;
+    scalar patchSpeed = 0;
 
     for (const fvPatchVectorField& patch : U.boundaryField())
     {
         // What flows in and out under a pressure follows from the flow
         if (patch.fixesValue() && !patch.assignable() && patch.size())
         {
-            given = max(given, max(mag(patch)));
+            patchSpeed = max(patchSpeed, max(mag(patch)));
         }
     }
 
     return 1.5*max
     (
-        returnReduce(given, maxOp<scalar>()),
+        returnReduce(patchSpeed, maxOp<scalar>()),
         std::sqrt(2*mag(g)*U.mesh().bounds().mag())
     );
 }

@@ -17,7 +17,7 @@ bool Foam::writeFunctionState(Time& runTime)
     }
 
     const unsigned int precision = IOstream::defaultPrecision(16);
-    const bool written = compatibility::writeObject
+    const bool success = compatibility::writeObject
     (
         *state,
         IOstream::ASCII,
@@ -25,5 +25,5 @@ bool Foam::writeFunctionState(Time& runTime)
     );
     IOstream::defaultPrecision(precision);
 
-    return written;
+    return success;
 }

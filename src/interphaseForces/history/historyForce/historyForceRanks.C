@@ -64,14 +64,14 @@ void Foam::historyForce::follow(const List<locatedGrain>& grains)
     const auto home = [](const label id) { return id % Pstream::nProcs(); };
 
     labelHashSet here(2*grains.size());
-    List<DynamicList<label>> wanted(Pstream::nProcs());
+    List<DynamicList<label>> requests(Pstream::nProcs());
     bool moves = false;
     for (const locatedGrain& grain : grains)
     {
         here.insert(grain.id);
         if (!past_.found(grain.id))
         {
-            wanted[home(grain.id)].append(grain.id);
+            requests[home(grain.id)].append(grain.id);
             moves = true;
         }
     }
@@ -94,7 +94,7 @@ void Foam::historyForce::follow(const List<locatedGrain>& grains)
     HashTable<vectorList, label, Hash<label>> left;
     leaving.send(left);
 
-    const List<labelList> requests(swapLists(wanted));
+    const List<labelList> requests(swapLists(requests));
     parcels fetched;
     forAll(requests, rank)
     {
