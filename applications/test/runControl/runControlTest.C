@@ -192,3 +192,15 @@ TEST(outputControl, aSignalEndsTheRunWithATimeThatIsWhole)
     EXPECT_EQ(course(*time, everyThird, false, 4), "sssssspw");
     EXPECT_TRUE(timeFolders::marked(*time));
 }
+
+
+TEST(outputControl, aSignalInTheLastStepWritesTheEnd)
+{
+    testMesh box;
+    autoPtr<exchangeTime> time(timeOf(box, controlEntry("writeInterval", 1000)));
+    time->setEndTime(3*time->deltaTValue());
+    const auto always = []() { return true; };
+
+    EXPECT_EQ(course(*time, always, false, 3), "ssspw");
+    EXPECT_TRUE(timeFolders::marked(*time));
+}
