@@ -64,14 +64,14 @@ void Foam::historyForce::follow(const List<locatedGrain>& grains)
     const auto home = [](const label id) { return id % Pstream::nProcs(); };
 
     labelHashSet here(2*grains.size());
-    List<DynamicList<label>> requests(Pstream::nProcs());
+    List<DynamicList<label>> arrivals(Pstream::nProcs());
     bool moves = false;
     for (const locatedGrain& grain : grains)
     {
         here.insert(grain.id);
         if (!past_.found(grain.id))
         {
-            requests[home(grain.id)].append(grain.id);
+            arrivals[home(grain.id)].append(grain.id);
             moves = true;
         }
     }
@@ -94,7 +94,7 @@ void Foam::historyForce::follow(const List<locatedGrain>& grains)
     HashTable<vectorList, label, Hash<label>> left;
     leaving.send(left);
 
-    const List<labelList> requests(swapLists(requests));
+    const List<labelList> requests(swapLists(arrivals));
     parcels fetched;
     forAll(requests, rank)
     {
