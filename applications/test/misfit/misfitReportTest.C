@@ -3,6 +3,7 @@
 // with all that a reader needs in one file.
 
 #include "report.H"
+#include "jsonSchema.H"
 #include "misfitWorld.H"
 #include "temporaryFolder.H"
 #include "terminalOutput.H"
@@ -34,7 +35,8 @@ finding found()
     f.verdict.kind = verdictKind::named;
     f.verdict.names = {"porePressure"};
     f.verdict.confidence = 0.9;
-    f.verdict.grounds = vec::LinSpaced(groundNames.size(), 1, groundNames.size());
+    f.verdict.grounds.resize(groundNames.size());
+    f.verdict.grounds << 3.5, 0.001, 2, 0.75, 1, 0;
     f.detection.calibrated = {0.001, 0.001, 0.001, 100, {{0, 5, 9, 12}}};
     f.detection.raw = f.detection.calibrated;
     f.verdict.located = {{{0, 5, 9, 12}, 50}};
@@ -155,38 +157,16 @@ TEST(misfitReport, theRecordIsReadableByPrograms)
 
 TEST(misfitReport, theRecordIsOfItsSchemaAndReadsBackAsItWasFound)
 {
-    using type = nlohmann::json::value_t;
-    const std::pair<const char*, type> schema[] =
-    {
-        {"schema", type::number_unsigned}, {"case", type::string},
-        {"verdict", type::string}, {"names", type::array},
-        {"words", type::string}, {"confidence", type::number_float},
-        {"confidenceFrom", type::object},
-        {"strengths", type::array}, {"fault", type::null},
-        {"detection", type::object}, {"located", type::array},
-        {"departures", type::array}, {"calibration", type::array}, {"uncertainty", type::object},
-        {"gates", type::array}, {"heldOut", type::array},
-        {"freeCorrection", type::null}, {"posterior", type::array},
-        {"dropped", type::array}, {"failedRuns", type::array},
-        {"correctedCase", type::null}, {"apart", type::object},
-        {"advice", type::string}, {"statesAskedFor", type::number_unsigned}
-    };
     const finding f(found());
     const auto j = nlohmann::json::parse(verdictJson(f, "case"));
-    EXPECT_EQ(j.size(), std::size(schema));
-    for (const auto& key : schema)
-    {
-        ASSERT_TRUE(j.contains(key.first)) << key.first;
-        EXPECT_EQ(j[key.first].type(), key.second) << key.first;
-    }
-    EXPECT_EQ(j["schema"], 6);
+    expectOfSchema("verdict.schema.json", j);
     EXPECT_EQ(j["departures"][0]["differsFrom"], 0.35);
     EXPECT_EQ(verdictNames[word(j["verdict"].get<std::string>())], f.verdict.kind);
     EXPECT_EQ(j["names"].get<std::vector<std::string>>().front(), f.verdict.names[0]);
     EXPECT_EQ(j["confidence"], f.verdict.confidence);
     EXPECT_EQ(j["confidenceFrom"].size(), groundNames.size());
-    EXPECT_EQ(j["confidenceFrom"]["lead"], 1);
-    EXPECT_EQ(j["confidenceFrom"]["more"], groundNames.size());
+    EXPECT_EQ(j["confidenceFrom"]["lead"], 3.5);
+    EXPECT_EQ(j["confidenceFrom"]["more"], 0);
     EXPECT_EQ(j["strengths"][0]["name"], f.verdict.strengths[0].name);
     EXPECT_EQ(j["strengths"][0]["value"], f.verdict.strengths[0].value);
     EXPECT_EQ(j["detection"]["p"], f.detection.calibrated.p);
