@@ -6,6 +6,7 @@
 #include "constitutiveLaw.H"
 #include "forceModels.H"
 #include "granularPhase.H"
+#include "shapeFactor.H"
 #include "smoothingModel.H"
 #include "voidFractionModel.H"
 
@@ -60,6 +61,12 @@ namespace
                 "drag models",
                 forces + "drag/model",
                 lawsOf<dragModel>()
+            },
+            {
+                "listDragShapes",
+                "drag of grains that are not spheres",
+                forces + "drag/shape/model",
+                lawsOf<shapeFactor>()
             },
             {
                 "listLiftModels",

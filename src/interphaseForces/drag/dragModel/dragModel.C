@@ -5,6 +5,7 @@
 #include "blendedDrag.H"
 #include "closure.H"
 #include "correctedDrag.H"
+#include "shapedDrag.H"
 
 namespace Foam
 {
@@ -24,7 +25,10 @@ Foam::autoPtr<Foam::dragModel> Foam::dragModel::NewLaw(const dictionary& dict)
             closure::without
             (
                 dict,
-                {"model", "strength", "base", "baseSettings", "correction"}
+                {
+                    "model", "strength", "base", "baseSettings", "shape",
+                    "correction"
+                }
             )
         )
     );
@@ -78,5 +82,5 @@ void Foam::dragModel::K
 
 Foam::autoPtr<Foam::dragModel> Foam::dragModel::New(const dictionary& dict)
 {
-    return correctedDrag::New(NewLaw(dict), dict);
+    return correctedDrag::New(shapedDrag::New(NewLaw(dict), dict), dict);
 }
