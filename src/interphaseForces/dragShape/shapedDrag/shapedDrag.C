@@ -62,7 +62,7 @@ Foam::shapedDrag::shapedDrag
     ),
     sphericity_
     (
-        shape_.on()
+        shape_.isOn()
       ? dict.get<scalar>("sphericity")
       : dict.getOrDefault<scalar>("sphericity", 1)
     ),
@@ -108,7 +108,7 @@ Foam::autoPtr<Foam::dragModel> Foam::shapedDrag::New
         )
     );
 
-    if (!shaped->shape_.on() || !shaped->law_.valid())
+    if (!shaped->shape_.isOn() || !shaped->law_.valid())
     {
         return std::move(shaped->law_);
     }
