@@ -83,13 +83,14 @@ struct rankedWorld
     label runs = 0;
 
 
-    explicit rankedWorld(const scalar within)
+    explicit rankedWorld(const scalar within, const scalar share = 0)
     :
         solver(truth(0, 0.7), 300, vec()),
         set(worldSettings()),
         s(solver, set)
     {
         set.refitWithin = within;
+        set.refitWithinShare = share;
         addUncertainty(s);
         const std::vector<int> failing(addCalibrationRuns(s));
         const hypothesisFit base(s.calibration.score().base());
@@ -123,6 +124,21 @@ TEST(misfitRefit, onlyWhatCouldStillWinIsComputedAgain)
         }
     }
     EXPECT_EQ(computed, 2);
+}
+
+
+TEST(misfitRefit, howFarBehindMayStillWinGrowsWithTheMisfit)
+{
+    // The second is behind by a share of what the best gains over the base
+    const rankedWorld all(GREAT);
+    const rankedWorld none(0);
+    std::vector<const hypothesisFit*> list(none.explained.byScore());
+    const scalar gain = none.explained.baseline().score - list[0]->score;
+    const scalar behind = list[1]->score - list[0]->score;
+    ASSERT_GT(gain, 0);
+    EXPECT_EQ(rankedWorld(0, 0.5*behind/gain).runs, none.runs);
+    EXPECT_EQ(rankedWorld(0, 1).runs, all.runs);
+    EXPECT_LT(none.runs, all.runs);
 }
 
 

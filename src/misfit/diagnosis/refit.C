@@ -52,6 +52,16 @@ void preferAmongRivals(const study& s, explanations& e)
 }
 
 
+//- The score up to which an explanation may still win: the error of the surface grows with
+//  the misfit, whose measure is the gain of the best
+scalar limitOfRefit(const explanations& e, const rules& limits)
+{
+    const scalar lowest = e.lowestScore();
+    const scalar gain = e.baseline().score - lowest;
+    return lowest + max(limits.refitWithin, limits.refitWithinShare*gain);
+}
+
+
 //- The base and the best explanations, until the best of all was computed
 void refitBest(study& s, explanations& e)
 {
@@ -61,7 +71,7 @@ void refitBest(study& s, explanations& e)
 
     // The first run of each, side by side; the passes find them done
     std::vector<vec> first;
-    const scalar limit = e.lowestScore() + s.set.refitWithin;
+    const scalar limit = limitOfRefit(e, s.set);
     for (label i = 0; i < count(all); ++i)
     {
         if ((i < n && all[i].score <= limit) || all[i].what.isNone())
@@ -90,7 +100,7 @@ void refitBest(study& s, explanations& e)
         {
             ++i;
         }
-        if (i == most || all[i].score > all.front().score + s.set.refitWithin)
+        if (i == most || all[i].score > limitOfRefit(e, s.set))
         {
             break;
         }
