@@ -146,6 +146,48 @@ TEST(misfitFaults, theClockOfARecorderMovesAllItsChannels)
 }
 
 
+TEST(misfitFaults, aRecorderHasAnotherClockInAnotherExperiment)
+{
+    // Four channels of one camera, two in each of two experiments
+    world w;
+    for (label i = 0; i < 4; ++i)
+    {
+        w.data.segments[i].recorder = "camera";
+        w.data.segments[i].experiment = i < 2 ? "A" : "B";
+    }
+    vec f = vec::Zero(w.data.size());
+    for (const segment& s : w.data.segments)
+    {
+        s.of(f) = s.x;
+    }
+    std::vector<sensorFault> cameras;
+    for (const sensorFault& fault : possibleFaults(w.data, {faultKind::clock}))
+    {
+        if (fault.ofRecorder)
+        {
+            cameras.push_back(fault);
+        }
+    }
+    ASSERT_EQ(cameras.size(), 2);
+    EXPECT_FALSE(cameras[0] == cameras[1]);
+    EXPECT_FALSE(cameras[0].blamesSame(cameras[1]));
+    EXPECT_EQ(describe(cameras[1]), "clock of camera in experiment B");
+    EXPECT_EQ
+    (
+        describe(cameras[0], w.data.segments[0], number(0.3)),
+        "camera's clock is 0.3 s late in experiment A"
+    );
+    const vec moved = f - cameras[0](w.data, f, number(0.3));
+    const vec elsewhere = f - cameras[0].elsewhere(w.data, f, number(0.3));
+    for (label i = 0; i < 4; ++i)
+    {
+        const label middle = w.data.segments[i].first + 20;
+        EXPECT_NEAR(moved[middle], i < 2 ? 0.3 : 0, 1e-9);
+        EXPECT_NEAR(elsewhere[middle], i < 2 ? 0.3 : 0, 1e-9);
+    }
+}
+
+
 TEST(misfitFaults, aNumberAloneHasNoTimeAndNoShape)
 {
     const stacked data(numbers({1.0, 2.0}));

@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include <fstream>
+#include <limits>
 
 using namespace Foam;
 using namespace Foam::misfit;
@@ -55,7 +56,7 @@ finding found()
     f.verdict.after = w.data.y;
     f.detection.sigma = vec::Constant(base.size(), 20);
     f.verdict.sigma = f.detection.sigma;
-    f.departures = {{"P1", purpose::calibration, 0.4, 0.6, 0.35}};
+    f.departures = {{"A", "P1", purpose::calibration, 0.4, 0.6, 0.35}};
     f.detection.sources =
     {
         {"sensors", vec::Constant(base.size(), 12)},
@@ -396,6 +397,17 @@ TEST(misfitReport, aNumberInASentenceHasNoExponent)
     EXPECT_EQ(ratioWords(99999, 3), "100000");
     EXPECT_EQ(percentWords(-0.001), "0 %");
     EXPECT_EQ(percentWords(11), "more than 1000 %");
+    EXPECT_EQ(percentWords(0), "0 %");
+    EXPECT_EQ(percentWords(1), "100 %");
+    EXPECT_EQ(percentWords(0.004), "less than 1 %");
+    EXPECT_EQ(percentWords(0.006), "1 %");
+    EXPECT_EQ(percentWords(0.994), "99 %");
+    EXPECT_EQ(percentWords(0.9996), "more than 99 %");
+    EXPECT_EQ(percentWords(1.004), "100 %");
+    const scalar nan = std::numeric_limits<scalar>::quiet_NaN();
+    EXPECT_EQ(percentWords(nan), "not known");
+    EXPECT_EQ(numberWords(nan), "not known");
+    EXPECT_EQ(ratioWords(-std::numeric_limits<scalar>::infinity()), "less than -100000");
 }
 
 
@@ -434,7 +446,7 @@ TEST(misfitReport, theOrderInWhichChannelsDifferIsOnThePage)
     expectHolds
     (
         reportHtml(found(), today(), {}),
-        "<td>P1</td><td>calibration</td><td>0.35</td><td>0.4</td><td>0.6</td>"
+        "<td>A</td><td>P1</td><td>calibration</td><td>0.35</td><td>0.4</td><td>0.6</td>"
     );
 }
 

@@ -179,7 +179,10 @@ TEST(misfitSchema, aWrongRecordIsRefused)
     // A fault beside a name
     wrong = right;
     wrong["fault"] =
-        {{"channel", "P1"}, {"kind", "gain"}, {"values", {0.2}}, {"deviations", {0.1}}};
+    {
+        {"channel", "P1"}, {"experiment", ""}, {"kind", "gain"}, {"values", {0.2}},
+        {"deviations", {0.1}}
+    };
     expectRefused(wrong, "conditional");
     wrong["verdict"] = "sensor";
     EXPECT_EQ(schemaErrors(ofVerdict, wrong), "");

@@ -210,7 +210,8 @@ Foam::misfit::misfitDetection Foam::misfit::detect
         parametersOf(set, base),
         data,
         base.covariance.diagonal().cwiseSqrt(),
-        s.calibration.uncertainty().sources(base.best.f)
+        s.calibration.uncertainty().sources(base.best.f),
+        base.covariance
     };
 }
 

@@ -69,7 +69,7 @@ finding runStages(sampler& ask, const settings& set)
     return
     {
         e, withCorrection(set, verdict, correction), correction,
-        departuresOf(e, verdict.before, set.beyond), s.nRuns + correction.nRuns
+        departuresOf(e, verdict.before, set), s.nRuns + correction.nRuns
     };
 }
 

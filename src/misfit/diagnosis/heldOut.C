@@ -34,7 +34,7 @@ std::optional<Foam::misfit::heldOut> Foam::misfit::compare
     {
         what, recorded.experiment, use, data, from, to,
         uncertain.diagonal().cwiseSqrt(), square(from), square(to),
-        statistics::chanceOfSquare(n, limits.adequacy), matchLimit(n, limits)
+        statistics::chanceOfSquare(n, limits.adequacy), matchLimit(n, limits), uncertain
     };
 }
 

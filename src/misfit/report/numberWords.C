@@ -11,6 +11,10 @@ namespace
 
 using namespace Foam;
 
+//- In place of what is not a number
+constexpr const char* notKnown = "not known";
+
+
 //- All digits of a whole number
 std::string wholeNumber(const scalar value)
 {
@@ -23,6 +27,10 @@ std::string wholeNumber(const scalar value)
 //- A number with so many significant digits, of one beyond a limit only that it is
 string within(const scalar limit, const scalar value, const int digits)
 {
+    if (std::isnan(value))
+    {
+        return notKnown;
+    }
     if (mag(value) > limit)
     {
         return (value > 0 ? "more than " : "less than -") + wholeNumber(limit);
@@ -50,5 +58,20 @@ Foam::string Foam::misfit::ratioWords(const scalar value, const int digits)
 
 Foam::string Foam::misfit::percentWords(const scalar share)
 {
+    // To compare what is not a number would stop the program
+    if (std::isnan(share))
+    {
+        return notKnown;
+    }
+
+    // Whole only where it is: a name of which 0.3 % is open is not certain
+    if (share > 0 && share < 0.005)
+    {
+        return "less than 1 %";
+    }
+    if (share >= 0.995 && share < 1)
+    {
+        return "more than 99 %";
+    }
     return within(1000, std::round(100*share) + 0.0, 4) + " %";
 }

@@ -13,7 +13,7 @@ using namespace Foam;
 using namespace Foam::misfit;
 
 //- Of the record: grows with each change of what its keys are or mean
-constexpr label schema = 6;
+constexpr label schema = 7;
 
 
 //- What is at its bound has none
@@ -68,6 +68,7 @@ json fault(const finding& f)
     return
     {
         {"channel", what.fault->channel},
+        {"experiment", what.fault->experiment},
         {"kind", kindOf(*what.fault)},
         {"values", vec(best.x.tail(n))},
         {"deviations", deviations}
@@ -115,6 +116,7 @@ json departureRecord(const departure& d)
 {
     return
     {
+        {"experiment", d.experiment},
         {"channel", d.channel},
         {"use", purposeNames[d.use]},
         {"arrivalRecorded", timeOf(d.recorded)},

@@ -16,6 +16,13 @@ const char* axisOf(const segment& s)
     return s.overTime ? "s" : "m";
 }
 
+
+//- Of a recorder of several experiments: in which of them
+std::string inOneOf(const sensorFault& fault)
+{
+    return fault.isInSeveral ? " in experiment " + fault.experiment : "";
+}
+
 } // End anonymous namespace
 
 
@@ -54,7 +61,7 @@ Foam::string Foam::misfit::describe(const sensorFault& fault)
 {
     const std::string kind(kindOf(fault));
     const std::string name(nameOf(fault.kind));
-    return name + " of " + fault.channel + kind.substr(name.size());
+    return name + " of " + fault.channel + kind.substr(name.size()) + inOneOf(fault);
 }
 
 
@@ -88,7 +95,7 @@ Foam::string Foam::misfit::describe
         facts["left"] = number(100*(1 + u[u.size() - 1]));
         facts["up"] = u[0] > 0;
     }
-    return renderTemplate("fault", facts);
+    return renderTemplate("fault", facts) + inOneOf(fault);
 }
 
 

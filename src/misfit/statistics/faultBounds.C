@@ -95,11 +95,14 @@ sensorFault fault
     const vec& upper
 )
 {
-    return
-    {
-        kind, s.name, "", 1, false, lower, upper, 0.01*upper,
-        {vec::Zero(lower.size())}
-    };
+    sensorFault one;
+    one.kind = kind;
+    one.channel = s.name;
+    one.lower = lower;
+    one.upper = upper;
+    one.slight = 0.01*upper;
+    one.starts = {vec::Zero(lower.size())};
+    return one;
 }
 
 
@@ -155,12 +158,22 @@ faults clocks(const stacked& data, const segment& s)
 
     // That of a recorder is counted at the first of its channels
     faults all;
-    const std::vector<int> together(recordedBy(s.recorder, data));
+    const std::vector<int> together(recordedBy(s.recorder, s.experiment, data));
     if (together.size() > 1 && data.segments[together[0]].name == s.name)
     {
         all.push_back(one);
         all.back().channel = s.recorder;
         all.back().ofRecorder = true;
+        all.back().experiment = s.experiment;
+        all.back().isInSeveral = std::any_of
+        (
+            data.segments.begin(), data.segments.end(),
+            [&s](const segment& other)
+            {
+                return
+                    other.recorder == s.recorder && other.experiment != s.experiment;
+            }
+        );
     }
     all.push_back(one);
     return all;

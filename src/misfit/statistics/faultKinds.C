@@ -146,6 +146,7 @@ statistics::vec statistics::across
 std::vector<int> statistics::recordedBy
 (
     const std::string& recorder,
+    const std::string& experiment,
     const stacked& data
 )
 {
@@ -153,7 +154,8 @@ std::vector<int> statistics::recordedBy
     for (int i = 0; i < count(data.segments); ++i)
     {
         const segment& s = data.segments[i];
-        if (s.overTime && !recorder.empty() && s.recorder == recorder)
+        const bool its = s.recorder == recorder && s.experiment == experiment;
+        if (s.overTime && !recorder.empty() && its)
         {
             channels.push_back(i);
         }

@@ -21,7 +21,7 @@ std::vector<int> channelsOf(const sensorFault& fault, const stacked& data)
 {
     if (fault.ofRecorder)
     {
-        return recordedBy(fault.channel, data);
+        return recordedBy(fault.channel, fault.experiment, data);
     }
     std::vector<int> all;
     for (int i = 0; i < count(data.segments); ++i)
@@ -75,7 +75,8 @@ bool statistics::sensorFault::operator==(const sensorFault& other) const
 {
     return
         kind == other.kind && channel == other.channel
-     && partner == other.partner && ofRecorder == other.ofRecorder;
+     && partner == other.partner && ofRecorder == other.ofRecorder
+     && experiment == other.experiment;
 }
 
 
@@ -83,7 +84,9 @@ bool statistics::sensorFault::blamesSame(const sensorFault& other) const
 {
     const bool exchanged =
         kind == faultKind::swapped || other.kind == faultKind::swapped;
-    return exchanged ? *this == other : channel == other.channel;
+    return
+        exchanged
+      ? *this == other : channel == other.channel && experiment == other.experiment;
 }
 
 
