@@ -5,6 +5,7 @@
 #include "keywords.H"
 #include "textFile.H"
 
+#include "functionBlocks.H"
 #include "IFstream.H"
 #include "IStringStream.H"
 #include "OSspecific.H"
@@ -63,7 +64,9 @@ void Foam::misfit::caseChange::applyToDictionary
 ) const
 {
     const asTheyStand keep;
-    IFstream is(path);
+    functionBlocks blocks(contentOf(path));
+    IStringStream is(blocks.text(), IOstream::ASCII);
+    is.name() = path;
     dictionary content;
     content.name() = path;
     content.read(is, true);
@@ -85,7 +88,7 @@ void Foam::misfit::caseChange::applyToDictionary
             << " to change. If it shall be new: add true;  Entries there: "
             << keywords::listed(dict->toc()).c_str() << exit(FatalError);
     }
-    IStringStream text(last + ' ' + value + ';');
+    IStringStream text(last + ' ' + blocks.add(value) + ';');
     const autoPtr<entry> e(entry::New(text));
     dict->set(e->clone(*dict).ptr());
 
@@ -93,7 +96,7 @@ void Foam::misfit::caseChange::applyToDictionary
     OStringStream os;
     os.precision(12);
     content.write(os, false);
-    writeWhole(path, os.str());
+    writeWhole(path, blocks.restored(os.str()));
 }
 
 
