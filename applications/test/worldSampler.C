@@ -140,7 +140,7 @@ Foam::misfit::samples Foam::misfit::worldSampler::run(const runState& state)
     }
     else
     {
-        s.validation = f;
+        s.of(data_[1].use) = f;
     }
     return s;
 }
@@ -248,6 +248,13 @@ void Foam::misfit::worldSampler::scatterReplicates(const scalar deviation)
         o.calibration.y *= recorded;
         o.validation.y *= recorded;
     }
+}
+
+
+void Foam::misfit::worldSampler::testInB()
+{
+    data_[1].use = purpose::test;
+    std::swap(data_[1].test, data_[1].validation);
 }
 
 

@@ -299,6 +299,42 @@ TEST(misfitGates, whatGainsTooLittleIsNotSaid)
 }
 
 
+TEST(misfitGates, anExperimentThatTestsIsAsUncertainAsOneThatValidates)
+{
+    settings set(worldSettings());
+    set.replicates = 8;
+    set.resolutions = {"mesh"};
+    std::vector<heldOut> there;
+    for (const bool tests : {false, true})
+    {
+        worldSampler s(truth(-1, 0), 300, vec());
+        s.scatterReplicates(0.04);
+        s.refine(0.02);
+        if (tests)
+        {
+            s.testInB();
+        }
+        const finding f(diagnose(s, set));
+        for (const heldOut& h : f.held())
+        {
+            if (h.experiment == "B")
+            {
+                there.push_back(h);
+            }
+        }
+    }
+    ASSERT_EQ(there.size(), 2);
+    EXPECT_EQ(there[0].use, purpose::validation);
+    EXPECT_EQ(there[1].use, purpose::test);
+    EXPECT_NEAR((there[0].sigma - there[1].sigma).norm(), 0, 1e-9*there[0].sigma.norm());
+    EXPECT_NEAR(there[0].squareBefore, there[1].squareBefore, 1e-9);
+
+    // Much of it is scatter and numerics
+    const scalar noise = 60/std::sqrt(10.0);
+    EXPECT_GT(there[1].sigma[15], 1.2*noise);
+}
+
+
 TEST(misfitGates, otherReplicatesAreNoAlarmInAnotherExperiment)
 {
     settings set(worldSettings());

@@ -40,11 +40,10 @@ void printPlan
     Info<< "Refit of the best explanations: " << parts*refits.min() << " to "
         << parts*refits.max() << " runs at states that the sensitivities will show; none"
         << " where no misfit is detected" << nl
-        << "Gates: " << 2*set.commonRandomNumbers
-        << " runs of each test experiment, up to "
+        << "Gates: up to "
         << (2 + set.parameters.size())*set.commonRandomNumbers + set.replicates
          + set.resolutionReplicates*set.resolutions.size()
-        << " of each validation experiment" << nl;
+        << " runs of each validation or test experiment" << nl;
     if (set.correction.size())
     {
         Info<< "Free correction: at most " << 4*set.passes*set.commonRandomNumbers*parts

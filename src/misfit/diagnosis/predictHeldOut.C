@@ -60,6 +60,7 @@ std::vector<vec> calibrationSteps(const study& s, const hypothesisFit& base)
 void addCalibration
 (
     study& s,
+    const purpose use,
     const List<runState>& states,
     const List<samples>& given,
     covariance& known
@@ -74,7 +75,7 @@ void addCalibration
         }
         else
         {
-            appendColumn(changes, given[k].validation - given[0].validation);
+            appendColumn(changes, given[k].of(use) - given[0].of(use));
         }
     }
     known.addDirections("calibration", changes);
@@ -116,8 +117,7 @@ List<runState> statesIn
 
 
 //- Another experiment: its held-out data, where the solver fails, and what is uncertain
-//  there. Without what replicates and numerics change where it only tests, or where the
-//  base fails
+//  there. Without what replicates and numerics change where the base fails
 struct experimentPrediction
 {
     covariance known;
@@ -139,20 +139,21 @@ experimentPrediction predictIn
     const bool validates = other.use == purpose::validation;
     const List<runState> states
     (
-        statesIn(s, other, validates ? steps : std::vector<vec>(), e)
+        statesIn(s, other, steps, e)
     );
     const List<samples> given(s.means(states));
     experimentPrediction r
     {
         covariance(other.of(other.use), s.set.clockUncertainty), {}, {}
     };
-    if (validates && given[0].ok())
+    if (given[0].ok())
     {
-        if (!addNumerics(s, other, r.known))
+        const bool isKnown = addNumerics(s, other, r.known);
+        if (validates && !isKnown)
         {
             r.failure = failureIn(other.experiment, "");
         }
-        addCalibration(s, states, given, r.known);
+        addCalibration(s, other.use, states, given, r.known);
     }
 
     if (!given[0].ok() || !given[1].ok())

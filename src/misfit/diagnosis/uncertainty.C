@@ -291,11 +291,10 @@ bool Foam::misfit::addNumerics
             s.leaveOut(states[i], given[i].failure);
         }
     }
-    const purpose held = purpose::validation;
-    const mat repeats(samplesOf("base", states, given, held));
+    const mat repeats(samplesOf("base", states, given, other.use));
     for (const word& name : s.set.resolutions)
     {
-        const mat changes(changesBy(name, states, given, held));
+        const mat changes(changesBy(name, states, given, other.use));
         confirms = confirms && changes.cols();
         if (changes.cols())
         {
