@@ -3,6 +3,7 @@
 // with effects in standard deviations.
 
 #include "designReport.H"
+#include "jsonSchema.H"
 #include "parallelWork.H"
 #include "recordedFiles.H"
 #include "simulatedRecordings.H"
@@ -31,6 +32,12 @@ class numbersWorld
     List<observation> data_;
 
 public:
+
+    //- The solver fails with it; empty: with none
+    word failing;
+
+    //- Number of the channel that a finer mesh changes; -1: none
+    label changedByMesh = -1;
 
     explicit numbersWorld(const mat& effects)
     :
@@ -62,6 +69,14 @@ public:
         forAll(states, i)
         {
             all[i].calibration = vec::Zero(effects_.rows());
+            if (states[i].strengths.lookup(failing, 0) > 0)
+            {
+                all[i].failure = "diverged";
+            }
+            if (states[i].resolution != "base" && changedByMesh >= 0)
+            {
+                all[i].calibration[changedByMesh] += 0.1;
+            }
             for (label m = 0; m < effects_.cols(); ++m)
             {
                 all[i].calibration +=
@@ -212,6 +227,108 @@ TEST(misfitDesign, theChannelThatTellsThemApartHelpsMost)
 }
 
 
+TEST(misfitDesign, channelsThatHelpAlikeAreTied)
+{
+    // c and d show the same difference of the two, e none
+    mat effects(5, 2);
+    effects << 5, 5, -6, -6, 12, 0, 12, 0, 0, 0;
+    numbersWorld w(effects);
+    const experimentDesign d
+    (
+        designExperiment(w, settingsFor(2), designOfAll(2, 12), 1)
+    );
+    ASSERT_EQ(d.options.size(), 3);
+    EXPECT_TRUE(d.options[0].isTied);
+    EXPECT_TRUE(d.options[1].isTied);
+    EXPECT_EQ(d.options[2].channel, "e");
+    EXPECT_FALSE(d.options[2].isTied);
+
+    // The standard error is that of the draws
+    const designOption& first = d.options[0];
+    ASSERT_EQ(first.gains.size(), 12);
+    scalar mean = 0;
+    scalar square = 0;
+    for (const scalar gain : first.gains)
+    {
+        mean += gain/12;
+        square += sqr(gain)/12;
+    }
+    EXPECT_NEAR(mean, first.gain(), 1e-9);
+    EXPECT_NEAR(sqr(first.standardError()), (square - sqr(mean))/11, 1e-9);
+}
+
+
+TEST(misfitDesign, eachAnswerCountsOnceAndTheBrierScoreIsThatOfItsConfidences)
+{
+    numbersWorld w(mat::Constant(1, 1, 3));
+    const experimentDesign d(designExperiment(w, settingsFor(1), designOfAll(1, 40), 1));
+    for (const designRow& r : d.rows)
+    {
+        EXPECT_EQ(r.named + r.inSet + r.wrong + r.none + r.unknown, r.draws);
+        EXPECT_GT(r.confidence(), 0);
+        EXPECT_LE(r.confidence(), 1);
+
+        // A mean square is at least the square of the mean
+        const scalar right = r.share(r.mechanism.empty() ? r.none : r.named + r.inSet);
+        EXPECT_GE(r.BrierScore(), sqr(r.confidence() - right) - 1e-9);
+        EXPECT_LE(r.BrierScore(), 1);
+    }
+}
+
+
+TEST(misfitDesign, aCandidateWhoseRunsFailIsToldAndHasNoRows)
+{
+    numbersWorld w(mat::Constant(1, 2, 3));
+    w.failing = "1";
+    const experimentDesign d(designExperiment(w, settingsFor(2), designOfAll(1, 5), 1));
+    EXPECT_EQ(d.failing, wordList({"1"}));
+    for (const designRow& r : d.rows)
+    {
+        EXPECT_NE(r.mechanism, "1");
+    }
+    expectHolds(designTable(d), "failed: 1. Correct");
+    expectHolds(designHtml(d, "a case"), "failed: 1. Correct");
+}
+
+
+TEST(misfitDesign, aStrengthBeyondTheLargestIsRefused)
+{
+    settings set(settingsFor(1));
+    set.candidates[0].upper = 2;
+    designSettings design(designOfAll(1, 1));
+    design.strengths = {1, 2};
+    checkStrengths(dictionary(), design, set);
+    design.strengths = {1, 2.5};
+    expectHolds
+    (
+        refusal([&]() { checkStrengths(dictionary(), design, set); }),
+        "no fit goes beyond its upper, 2"
+    );
+}
+
+
+TEST(misfitDesign, channelsThatAFinerMeshLeavesAsTheyAreMayBeChosen)
+{
+    // The mesh changes b alone
+    mat effects(2, 1);
+    effects << 3, 3;
+    numbersWorld w(effects);
+    w.changedByMesh = 1;
+    settings set(settingsFor(1));
+    set.resolutions = {"mesh"};
+    const experimentDesign d(designExperiment(w, set, designOfAll(1, 4), 1));
+    EXPECT_EQ(d.row("0", 1, 1).draws, 4);
+
+    // Where it changes none at all something is wrong
+    w.changedByMesh = -1;
+    expectHolds
+    (
+        refusal([&]() { designExperiment(w, set, designOfAll(1, 4), 1); }),
+        "gives the same numbers"
+    );
+}
+
+
 TEST(misfitDesign, recordingsScatterByWhatIsUncertain)
 {
     // 1 of the sensor, and a fifth of the effect of another formula
@@ -241,7 +358,7 @@ TEST(misfitDesign, processesGiveWhatOneGives)
     const auto one = inProcesses(7, 1, work);
     EXPECT_EQ(inProcesses(7, 3, work), one);
     EXPECT_EQ(one.back(), "36");
-    const auto failing = [](const label i) -> std::string
+    const auto failing = [](const label) -> std::string
     {
         throw std::runtime_error("no memory, in a test");
     };
@@ -289,7 +406,7 @@ TEST(misfitDesign, itIsReadByProgramsAndPeople)
     d.rows.append({"", 0, 1, 20, 1, 0, 0, 1, {{"leak", 1}}});
     d.rows.append({"drag", 0.5, 1, 20, 19, 8, 4, 2, {{"leak", 5}, {"slurry", 1}}});
     d.rows.append({"drag", 0.5, 3, 20, 20, 18, 1, 0, {}});
-    d.options.append({"P3", {}, 0.4, 0.75});
+    d.options.append({"P3", {}, 0.4, 0.75, {0.2, 0.5}});
     const json all(designRecord(d, "a case"));
     EXPECT_EQ(all["rows"][1]["named"], 0.4);
     EXPECT_EQ(all["rows"][1]["others"]["leak"], 0.25);
@@ -300,6 +417,11 @@ TEST(misfitDesign, itIsReadByProgramsAndPeople)
     const std::string page(designHtml(d, "a case"));
     expectHolds(page, "<td>drag</td><td>0.5</td><td>1</td><td>95 %</td><td>40 %</td>");
     expectHolds(page, "<td>leak (25 %)</td>");
-    expectHolds(page, "<td>P3</td><td>40 %</td><td>75 %</td>");
-    expectHolds(designTable(d), "Adding the channel P3 changes right names from 40 % to 75 %");
+    expectHolds(page, "<td>P3</td><td>40 %</td><td>75 %</td><td>35 ± 15</td><td></td>");
+    expectHolds
+    (
+        designTable(d),
+        "Adding the channel P3 changes right names from 40 % to 75 % (35 +- 15 points)"
+    );
+    expectOfSchema("design.schema.json", nlohmann::json::parse(all.dump()));
 }

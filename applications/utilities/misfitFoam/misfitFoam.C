@@ -101,6 +101,7 @@ void designOf
     recordings recorded(dict, caseFolder);
     recorded.plan();
     const designSettings design(readDesign(dict, recorded));
+    checkStrengths(dict, design, set);
     solverPredictor solver(recorded, caseFolder, dict);
     predictedSampler bySolver(recorded, solver);
     const List<runState> states(runsOf(recorded, trainingRuns(bySolver, set)));

@@ -70,7 +70,8 @@ Foam::misfit::channelSelection::channelSelection
 )
 :
     ask_(ask),
-    data_(1)
+    data_(1),
+    isSelection_(validates || toFit.size() < all.uses().size())
 {
     data_.first().experiment = ask.data().first().experiment;
     data_.first().use = purpose::calibration;

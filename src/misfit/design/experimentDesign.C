@@ -65,6 +65,73 @@ wordList possibleChannels(const allChannels& all, const wordList& recorded)
 }
 
 
+//- Candidates with which at least one run of the sensitivities ended
+labelList runningCandidates(sampler& ask, const settings& set)
+{
+    const study s(ask, set);
+    labelList some;
+    forAll(set.candidates, m)
+    {
+        List<runState> states;
+        for (const vec& x : s.sensitivityDesign(s.bounds.centre, {int(m)}))
+        {
+            states.append(s.state(x));
+        }
+        for (const runState& one : ask.trainingEnsemble())
+        {
+            if (one.strengths.lookup(set.candidates[m].name, 0) > 0)
+            {
+                states.append(one);
+            }
+        }
+        const List<samples> given(ask(states));
+        if (std::any_of(given.begin(), given.end(), [](const samples& g) { return g.ok(); }))
+        {
+            some.append(m);
+        }
+    }
+    return some;
+}
+
+
+//- Standard error of a mean
+scalar standardErrorOf(const std::vector<scalar>& values)
+{
+    const scalar n = values.size();
+    if (n < 2)
+    {
+        return GREAT;
+    }
+    const vec v = Eigen::Map<const vec>(values.data(), values.size());
+    return std::sqrt((v.array() - v.mean()).square().sum()/(n - 1)/n);
+}
+
+
+//- Marks the options that are behind the first by no more than twice the standard error of
+//  the difference: the draws are the same with each channel
+void markTied(List<designOption>& options)
+{
+    for (designOption& o : options)
+    {
+        std::vector<scalar> behind(o.gains);
+        for (size_t k = 0; k < behind.size(); ++k)
+        {
+            behind[k] = options.first().gains[k] - o.gains[k];
+        }
+        const scalar mean = options.first().gain() - o.gain();
+        o.isTied = mean <= 2*standardErrorOf(behind);
+    }
+    const label tied = std::count_if
+    (
+        options.begin(), options.end(), [](const designOption& o) { return o.isTied; }
+    );
+    if (tied == 1)
+    {
+        options.first().isTied = false;
+    }
+}
+
+
 class designer
 {
     sampler& ask_;
@@ -75,6 +142,9 @@ class designer
     const designSettings& design_;
 
     const label jobs_;
+
+    //- Numbers of the candidates that ran
+    const labelList running_;
 
     const label nRows_;
 
@@ -89,7 +159,7 @@ class designer
         return set;
     }
 
-    //- One answer: "detected", the verdict, and the names in it
+    //- One answer: "detected", the verdict, its confidence, and the names in it
     std::string answer
     (
         const simulatedRecordings& recordings,
@@ -117,6 +187,11 @@ public:
     const settings& set() const
     {
         return set_;
+    }
+
+    const labelList& running() const
+    {
+        return running_;
     }
 
     //- Nothing wrong, then each mechanism and strength
@@ -149,7 +224,8 @@ std::string designer::answer
     );
     const finding f(diagnose(some, set_));
     std::ostringstream os;
-    os << f.tests.gates.passed(gateKind::detection) << ' ' << verdictNames[f.verdict.kind];
+    os << f.tests.gates.passed(gateKind::detection) << ' ' << verdictNames[f.verdict.kind]
+        << ' ' << f.verdict.confidence;
     if (f.verdict.kind == verdictKind::set)
     {
         // Each member by its mechanisms or its channel
@@ -173,7 +249,8 @@ void designer::count(designRow& row, const std::string& answer) const
     std::istringstream is(answer);
     bool detected = false;
     std::string verdict;
-    is >> detected >> verdict;
+    scalar confidence = 0;
+    is >> detected >> verdict >> confidence;
     bool has = false;
     for (std::string member; std::getline(is, member, ';');)
     {
@@ -191,6 +268,12 @@ void designer::count(designRow& row, const std::string& answer) const
     row.named += verdict == "named" && right;
     row.inSet += verdict == "set" && right;
     row.wrong += blames && !right;
+    row.none += verdict == "none";
+    row.unknown += verdict == "unknown";
+    row.namedIn.push_back(verdict == "named" && right);
+    const bool isTrue = row.mechanism.empty() ? verdict == "none" : blames && right;
+    row.confidences += confidence;
+    row.squares += sqr(confidence - isTrue);
 }
 
 
@@ -217,10 +300,11 @@ designer::designer
     set_(withoutCorrection(set)),
     design_(design),
     jobs_(jobs),
+    running_(runningCandidates(ask, set)),
     nRows_
     (
-        design.repeats.size()*(1 + set.candidates.size()*design.strengths.size())
-      + set.candidates.size()
+        design.repeats.size()*(1 + running_.size()*design.strengths.size())
+      + running_.size()
        *possibleChannels(allChannels(ask.data().first(), 1), design.channels).size()
     )
 {}
@@ -229,7 +313,7 @@ designer::designer
 std::vector<cause> designer::causes() const
 {
     std::vector<cause> all({{-1, 0}});
-    forAll(set_.candidates, m)
+    for (const label m : running_)
     {
         for (const scalar strength : design_.strengths)
         {
@@ -309,7 +393,8 @@ designOption withChannel
     option.channel = channel;
     wordList channels(known.channels);
     channels.append(channel);
-    forAll(by.set().candidates, m)
+    const scalar n = by.running().size();
+    for (const label m : by.running())
     {
         const designRow& without =
             leastCertain(known.rows, by.set().candidates[m].name, repeats);
@@ -317,7 +402,11 @@ designOption withChannel
         (
             by.row(recordings, {m, without.strength}, channels, repeats)
         );
-        const scalar n = by.set().candidates.size();
+        option.gains.resize(with.namedIn.size());
+        for (size_t k = 0; k < with.namedIn.size(); ++k)
+        {
+            option.gains[k] += (with.namedIn[k] - without.namedIn[k])/n;
+        }
         option.before += without.share(without.named)/n;
         option.after += with.share(with.named)/n;
         option.rows.append(with);
@@ -326,6 +415,12 @@ designOption withChannel
 }
 
 } // End anonymous namespace
+
+
+Foam::scalar Foam::misfit::designOption::standardError() const
+{
+    return standardErrorOf(gains);
+}
 
 
 const Foam::misfit::designRow& Foam::misfit::experimentDesign::row
@@ -368,6 +463,30 @@ Foam::label Foam::misfit::experimentDesign::repeatsNeeded
 }
 
 
+void Foam::misfit::checkStrengths
+(
+    const dictionary& dict,
+    const designSettings& design,
+    const settings& set
+)
+{
+    for (const candidate& c : set.candidates)
+    {
+        for (const scalar strength : design.strengths)
+        {
+            if (strength*c.strong > c.upper*(1 + SMALL))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "In design, the strength " << strength << " is " << strength*c.strong
+                    << " of the candidate " << c.name << ", and no fit goes beyond its upper, "
+                    << c.upper << ". Take " << strength << " out of strengths, or set upper "
+                    << strength*c.strong << "; in the candidate" << exit(FatalIOError);
+            }
+        }
+    }
+}
+
+
 Foam::misfit::experimentDesign Foam::misfit::designExperiment
 (
     sampler& ask,
@@ -380,6 +499,13 @@ Foam::misfit::experimentDesign Foam::misfit::designExperiment
     experimentDesign all;
     all.channels = design.channels;
     all.probability = design.probability;
+    forAll(set.candidates, m)
+    {
+        if (!by.running().found(m))
+        {
+            all.failing.append(set.candidates[m].name);
+        }
+    }
     for (const label repeats : design.repeats)
     {
         const simulatedRecordings recordings(ask, by.set(), repeats);
@@ -400,8 +526,9 @@ Foam::misfit::experimentDesign Foam::misfit::designExperiment
         all.options.begin(), all.options.end(),
         [](const designOption& a, const designOption& b)
         {
-            return a.after - a.before > b.after - b.before;
+            return a.gain() > b.gain();
         }
     );
+    markTied(all.options);
     return all;
 }

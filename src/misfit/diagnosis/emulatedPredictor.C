@@ -58,6 +58,37 @@ vec spread(const List<series>& grids, const mat& runs)
     return variance;
 }
 
+
+//- A candidate that is on in a state and with which each run in its experiment failed: the
+//  surface knows nothing of it. Empty: none
+word candidateThatFails
+(
+    const runState& s,
+    const List<candidate>& candidates,
+    const List<runState>& states,
+    const List<prediction>& runs
+)
+{
+    for (const candidate& c : candidates)
+    {
+        bool fails = false;
+        bool ran = s.strengths.lookup(c.name, 0) <= 0;
+        for (label i = 0; i < states.size() && !ran; ++i)
+        {
+            const bool on =
+                states[i].experiment == s.experiment
+             && states[i].strengths.lookup(c.name, 0) > 0;
+            ran = on && runs[i].ok();
+            fails = fails || on;
+        }
+        if (fails && !ran)
+        {
+            return c.name;
+        }
+    }
+    return word();
+}
+
 } // End anonymous namespace
 
 
@@ -145,6 +176,12 @@ Foam::misfit::emulatedPredictor::emulated(const runState& s) const
     if (position == emulators_.end())
     {
         p.failure = "the training ensemble has no experiment " + s.experiment;
+        return p;
+    }
+    const word failing(candidateThatFails(s, candidates_, states_, runs_));
+    if (failing.size())
+    {
+        p.failure = "each run of the training ensemble with " + failing + " failed";
         return p;
     }
     const emulator& e = position->second;

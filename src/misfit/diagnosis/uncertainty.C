@@ -258,16 +258,22 @@ void Foam::misfit::addUncertainty(study& s)
         const mat changes(changesBy(name, states, given, fitted));
         const mat heldChanges(changesBy(name, states, given, held));
         checkAny(name, states, given, changes);
-        checkChanges(name, changes, heldChanges);
-        checkReplicates
-        (
-            samplesOf(name, states, given, fitted), samplesOf(name, states, given, held)
-        );
+        if (!s.ask.isSelection())
+        {
+            checkChanges(name, changes, heldChanges);
+            checkReplicates
+            (
+                samplesOf(name, states, given, fitted), samplesOf(name, states, given, held)
+            );
+        }
         s.calibration.addResolution(name, changes);
         s.validation.addResolution(name, heldChanges);
     }
     const mat heldRepeats(samplesOf("base", states, given, held));
-    checkReplicates(repeats, heldRepeats);
+    if (!s.ask.isSelection())
+    {
+        checkReplicates(repeats, heldRepeats);
+    }
     s.calibration.addRepeats(repeats, set.commonRandomNumbers);
     s.validation.addRepeats(heldRepeats, set.commonRandomNumbers);
 }

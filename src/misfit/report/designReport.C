@@ -17,7 +17,7 @@ using namespace Foam;
 using namespace Foam::misfit;
 
 //- Of the record: grows with each change of what its keys are or mean
-constexpr label schema = 1;
+constexpr label schema = 2;
 
 
 //- "nothing wrong", or the mechanism
@@ -58,6 +58,10 @@ json rowRecord(const designRow& r)
         {"named", r.share(r.named)},
         {"inSet", r.share(r.inSet)},
         {"wrong", r.share(r.wrong)},
+        {"none", r.share(r.none)},
+        {"unknown", r.share(r.unknown)},
+        {"confidence", r.confidence()},
+        {"BrierScore", r.BrierScore()},
         {"others", others}
     };
 }
@@ -70,6 +74,9 @@ json optionRecord(const designOption& o)
         {"channel", o.channel},
         {"namedWithout", o.before},
         {"namedWith", o.after},
+        {"gain", o.gain()},
+        {"standardError", o.gains.size() > 1 ? json(o.standardError()) : json()},
+        {"tiedForFirst", o.isTied},
         {"rows", each(o.rows, &rowRecord)}
     };
 }
@@ -116,6 +123,10 @@ json rowWords(const designRow& r, const experimentDesign& d)
         {"named", r.mechanism.empty() ? string("-") : percentWords(r.share(r.named))},
         {"inSet", r.mechanism.empty() ? string("-") : percentWords(r.share(r.inSet))},
         {"wrong", percentWords(r.share(r.wrong))},
+        {"none", percentWords(r.share(r.none))},
+        {"unknown", percentWords(r.share(r.unknown))},
+        {"confidence", percentWords(r.confidence())},
+        {"Brier", numberWords(r.BrierScore(), 2)},
         {"others", mostOften(r)},
         {"needed", r.mechanism.empty() ? string("-") : repeatsWords(d, r)}
     };
@@ -127,6 +138,23 @@ string accuracy(const experimentDesign& d)
 {
     const label n = d.rows.empty() ? 1 : d.rows.first().draws;
     return percentWords(1/std::sqrt(scalar(max(n, label(1)))));
+}
+
+
+//- Standard error of what a channel adds, in percentage points
+string errorOf(const designOption& o)
+{
+    return
+        o.gains.size() > 1 ? numberWords(100*o.standardError(), 2) : string("unknown");
+}
+
+
+//- What a channel adds, and whether others are as good
+string gainWords(const designOption& o)
+{
+    return
+        " (" + numberWords(100*o.gain(), 2) + " +- " + errorOf(o) + " points)"
+      + (o.isTied ? ", tied for the first" : "");
 }
 
 
@@ -161,7 +189,8 @@ Foam::misfit::designRecord(const experimentDesign& d, const string& title)
         {"probability", d.probability},
         {"rows", each(d.rows, &rowRecord)},
         {"repeatsNeeded", needed},
-        {"options", each(d.options, &optionRecord)}
+        {"options", each(d.options, &optionRecord)},
+        {"failing", each(d.failing, [](const word& name) { return name; })}
     };
 }
 
@@ -169,7 +198,7 @@ Foam::misfit::designRecord(const experimentDesign& d, const string& title)
 std::string Foam::misfit::designTable(const experimentDesign& d)
 {
     std::ostringstream os;
-    const int widths[] = {16, 9, 8, 9, 7, 8, 7, 9};
+    const int widths[] = {16, 9, 8, 9, 7, 8, 7, 7, 8, 11, 6, 11};
     const auto line = [&](const std::vector<std::string>& cells)
     {
         for (size_t i = 0; i < cells.size(); ++i)
@@ -182,8 +211,8 @@ std::string Foam::misfit::designTable(const experimentDesign& d)
         << accuracy(d) << " (95 %).\n";
     line
     ({
-        "cause", "strength", "repeats", "detected", "named", "in a set", "wrong", "needed",
-        "other answer"
+        "cause", "strength", "repeats", "detected", "named", "in a set", "wrong", "none",
+        "unknown", "confidence", "Brier", "needed", "other answer"
     });
     for (const designRow& r : d.rows)
     {
@@ -194,7 +223,7 @@ std::string Foam::misfit::designTable(const experimentDesign& d)
             const char* key :
             {
                 "cause", "strength", "repeats", "detected", "named", "inSet", "wrong",
-                "needed", "others"
+                "none", "unknown", "confidence", "Brier", "needed", "others"
             }
         )
         {
@@ -207,7 +236,13 @@ std::string Foam::misfit::designTable(const experimentDesign& d)
     for (const designOption& o : d.options)
     {
         os << "Adding the channel " << o.channel << " changes right names from "
-            << percentWords(o.before) << " to " << percentWords(o.after) << '\n';
+            << percentWords(o.before) << " to " << percentWords(o.after)
+            << gainWords(o) << '\n';
+    }
+    if (d.failing.size())
+    {
+        os << "No rows, as each run with them failed: " << joined(d.failing, ", ")
+            << ". Correct these candidates and start again\n";
     }
     return os.str();
 }
@@ -231,9 +266,13 @@ Foam::misfit::designHtml(const experimentDesign& d, const string& title)
         {
             {"channel", o.channel},
             {"before", percentWords(o.before)},
-            {"after", percentWords(o.after)}
+            {"after", percentWords(o.after)},
+            {"gain", numberWords(100*o.gain(), 2)},
+            {"error", errorOf(o)},
+            {"tied", o.isTied}
         };
     });
+    page["failing"] = joined(d.failing, ", ");
     return fillTemplate("design.html", page);
 }
 

@@ -148,6 +148,30 @@ TEST(misfitEmulator, aReplicateThatFailedInTheEnsembleFails)
 }
 
 
+TEST(misfitEmulator, whatNeverRanWithACandidateIsNotGiven)
+{
+    List<runState> states({at(0, 0), at(-1, 0), at(1, 0), at(0, 0.5), at(0, 1)});
+    List<prediction> runs;
+    for (const runState& s : states)
+    {
+        runs.append(truth(s));
+    }
+    runs[4].failure = "it exploded";
+    const List<parameter> parameters({{"p", {}, 0, 1, -3, 3}});
+    const List<candidate> candidates({{"m", "m", {}, 0.5, 1, 1, GREAT, {}}});
+    emulatedPredictor once(parameters, candidates, states, runs);
+    EXPECT_TRUE(once.predict({at(0, 0.7)})[0].ok());
+
+    runs[3].failure = "it exploded";
+    emulatedPredictor never(parameters, candidates, states, runs);
+    EXPECT_NE
+    (
+        never.predict({at(0, 0.7)})[0].failure.find("with m failed"), std::string::npos
+    );
+    EXPECT_TRUE(never.predict({at(0.5, 0)})[0].ok());
+}
+
+
 TEST(misfitEmulator, theSurfaceIsOfTheFirstReplicate)
 {
     List<runState> states;
