@@ -55,6 +55,27 @@ autoPtr<boxOfPoints> smallCollapse
 }
 
 
+//- The same column pushed to seven tenths of its height, without a change of its
+//  points' volumes: they shift
+autoPtr<boxOfPoints> pushedTogether(const bool cut, const bool repeats)
+{
+    pointBox box;
+    box.length = 0.8;
+    box.height = 0.4;
+    box.h = 0.04;
+    box.cut = cut;
+    box.repeats = repeats;
+
+    autoPtr<boxOfPoints> column(new boxOfPoints(box, vector(2, 0, 0), oneBody));
+    for (point& x : column->points().x)
+    {
+        x.z() *= 0.7;
+    }
+    column->run(0.1);
+    return column;
+}
+
+
 //- What many ranks compute is what each computes alone, to a rounding that
 //  has grown for some hundred steps
 void expectSame(const boxOfPoints& together, const boxOfPoints& alone)
@@ -211,5 +232,23 @@ TEST(ParallelMaterialPoints, aPointThatPassesAWholeRankIsNamed)
     {
         const std::string output(e.message());
         EXPECT_NE(output.find("past a whole rank"), std::string::npos) << output;
+    }
+}
+
+
+TEST(ParallelMaterialPoints, pointsThatShiftOutOfWhatTheyOverfillAreTheSame)
+{
+    for (const bool repeats : {false, true})
+    {
+        auto together = pushedTogether(true, repeats);
+        auto alone = pushedTogether(false, repeats);
+        expectSame(*together, *alone);
+
+        scalar top = 0;
+        for (const point& x : alone->points().x)
+        {
+            top = max(top, x.z());
+        }
+        EXPECT_GT(top, 0.25);
     }
 }

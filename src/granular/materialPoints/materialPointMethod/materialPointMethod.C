@@ -55,6 +55,7 @@ Foam::materialPointMethod::materialPointMethod
     flipShare_(flipShare(dict)),
     averaging_(dict.getOrDefault<Switch>("averaging", true)),
     densityAveraging_(dict.getOrDefault<Switch>("densityAveraging", false)),
+    shifting_(dict.getOrDefault<Switch>("shifting", true)),
     courant_(dict.getOrDefault<scalar>("courant", 0.4)),
     open_(false),
     nLeft_(0),

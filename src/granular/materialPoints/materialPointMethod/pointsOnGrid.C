@@ -218,6 +218,10 @@ void Foam::materialPointMethod::velocityToPoints(const scalar dt)
 
         cell_[i] = stencil.cell();
         p.x[i] += dt*p.U[i];
+        if (crowded_)
+        {
+            p.x[i] += shift(stencil);
+        }
     }
 }
 
@@ -236,6 +240,10 @@ void Foam::materialPointMethod::changeToPoints(const scalar dt)
 
         p.U[i] = flipShare_*(p.U[i] + change) + (1 - flipShare_)*U;
         goesTo_[i] = p.x[i] + dt*U;
+        if (crowded_)
+        {
+            goesTo_[i] += shift(stencil);
+        }
     }
 }
 
@@ -261,6 +269,7 @@ void Foam::materialPointMethod::gradientToPoints()
 template<int D>
 void Foam::materialPointMethod::transfer(const scalar dt)
 {
+    findCrowding<D>();
     momentumToNodes<D>(dt);
 
     if (flipShare_ == 0)

@@ -149,8 +149,8 @@ Foam::materialPointsPhase::materialPointsPhase
             typeName,
             {
                 "cellSize", "pointsPerCell", "transfer", "averaging",
-                "densityAveraging", "courant", "timeStep", "walls",
-                "outflow", "contact", "bodies"
+                "densityAveraging", "shifting", "courant", "timeStep",
+                "walls", "outflow", "contact", "bodies"
             }
         )
     ),

@@ -223,7 +223,7 @@ Foam::dictionary Foam::materialPointsPhase::activePhysics() const
         const char* key
       : {
             "cellSize", "pointsPerCell", "courant", "averaging",
-            "densityAveraging"
+            "densityAveraging", "shifting"
         }
     )
     {
