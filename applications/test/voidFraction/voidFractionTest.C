@@ -159,7 +159,9 @@ void expectSpread()
     grainExchange exchange(test.mesh());
     exchange.locate(phase);
 
-    solidFractionField p(exchange, settings("satellitePoints", "none"));
+    dictionary dict(settings("satellitePoints", "none"));
+    dict.add("largestSpread", scalar(1000));
+    solidFractionField p(exchange, dict);
     p.update();
 
     const scalar lost = lostVolume(test.mesh(), p, 60);
@@ -194,7 +196,78 @@ void expectSpread()
     EXPECT_NEAR(onGrains(p.excess().seenFromCells(u))/onCells, 1, 1e-12);
 }
 
+//- A grain in the middle of a cell beside empty ones
+struct loneGrain
+{
+    testMesh test;
+    standingGrains phase;
+    grainExchange exchange;
+
+    loneGrain()
+    :
+        test(box()),
+        phase(test.mesh()),
+        exchange(test.mesh())
+    {
+        place(phase, pointField(1, vector::uniform(0.0625)), radius);
+        exchange.locate(phase);
+    }
+
+    //- What is printed, or ends it, where the least void fraction leaves no room for a
+    //  share of its volume, at two updates
+    std::string outputOf(const scalar share, const scalar largest = -1)
+    {
+        dictionary dict(settings("centroid", "none"));
+        dict.add("minimum", 1 - 512*volumeOf(1)*(1 - share));
+        if (largest >= 0)
+        {
+            dict.add("largestSpread", largest);
+        }
+
+        std::string error;
+        const std::string output = outputDuring([&]()
+        {
+            error = refusal([&]
+            {
+                solidFractionField p(exchange, dict);
+                p.update();
+                p.update();
+            });
+        });
+        return output + error;
+    }
+};
+
 } // End anonymous namespace
+
+
+TEST(voidFraction, warnsFromOnePerCentThatIsSpreadAndStopsAboveAQuarter)
+{
+    loneGrain grain;
+
+    expectLacks(grain.outputOf(0.009), "Warning");
+    expectHolds(grain.outputOf(0.009), "0.9 %");
+
+    const std::string warning(grain.outputOf(0.011));
+    expectHolds(warning, "Warning");
+    expectHolds(warning, "1.1 % of the solid volume is spread");
+    expectHolds(warning, "The fullest cell is at (0.0625 0.0625 0.0625) m");
+    expectHolds(warning, "larger cells");
+    expectHolds(warning, "stops at 25 %");
+
+    // Once, until it is twice as much
+    const auto first = warning.find("of the solid volume");
+    EXPECT_EQ(warning.find("of the solid volume", first + 1), std::string::npos);
+
+    expectLacks(grain.outputOf(0.24), "To go on, raise");
+    const std::string error(grain.outputOf(0.26));
+    expectHolds(error, "26 % of the solid volume is spread");
+    expectHolds(error, "The fullest cell is at (0.0625 0.0625 0.0625) m");
+    expectHolds(error, "raise voidFraction/largestSpread above 0.25");
+
+    expectLacks(grain.outputOf(0.26, 0.3), "To go on, raise");
+    expectHolds(grain.outputOf(0.001, 0), "largestSpread is 0");
+}
 
 
 TEST(voidFraction, keepsVolumeAndIsItsOwnAdjoint)

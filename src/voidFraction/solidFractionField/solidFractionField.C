@@ -3,6 +3,7 @@
 
 #include "solidFractionField.H"
 
+#include "OStringStream.H"
 #include "keywords.H"
 
 Foam::solidFractionField::solidFractionField
@@ -16,9 +17,10 @@ Foam::solidFractionField::solidFractionField
     mapping_(exchange, keywords::sub(dict, "smoothing")),
     minimum_(dict.lookupOrDefault<scalar>("minimum", 0.3)),
     solidFraction_(mesh_.nCells(), Zero),
-    excess_(mesh_, 1 - minimum_)
+    excess_(mesh_, 1 - minimum_),
+    mostSpread_(dict.lookupOrDefault<scalar>("largestSpread", 0.25))
 {
-    wordList known({"model", "minimum", "smoothing"});
+    wordList known({"model", "minimum", "largestSpread", "smoothing"});
     known.append(model_->modelKeywords());
     keywords::check(dict, known);
 
@@ -27,6 +29,13 @@ Foam::solidFractionField::solidFractionField
         FatalIOErrorInFunction(dict)
             << "minimum is " << minimum_ << ": the least void fraction lies"
             << " between 0 and 1 (default 0.3)." << exit(FatalIOError);
+    }
+    if (!(mostSpread_ > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "largestSpread is " << mostSpread_ << ": the share of the solid"
+            << " volume that may be spread over neighbouring cells is above 0"
+            << " (default 0.25)." << exit(FatalIOError);
     }
 }
 
@@ -53,8 +62,75 @@ void Foam::solidFractionField::update()
 {
     share(false);
     solidFraction_ = mapping_.spread(mapping_.volumes());
+    findFullest();
     excess_.distribute(solidFraction_);
     report();
+}
+
+
+void Foam::solidFractionField::findFullest()
+{
+    fullest_ = solidFraction_.size() ? findMax(solidFraction_) : -1;
+    fullestFraction_ = fullest_ >= 0 ? solidFraction_[fullest_] : 0;
+}
+
+
+Foam::string Foam::solidFractionField::fullest() const
+{
+    const scalar most = returnReduce(fullestFraction_, maxOp<scalar>());
+    const bool here = fullest_ >= 0 && fullestFraction_ >= most;
+
+    // The first of the ranks that have it
+    const label rank = returnReduce
+    (
+        here ? Pstream::myProcNo() : Pstream::nProcs(), minOp<label>()
+    );
+    const point place = returnReduce
+    (
+        rank == Pstream::myProcNo() ? mesh_.cellCentres()[fullest_] : point(Zero),
+        sumOp<point>()
+    );
+
+    OStringStream os;
+    os  << "The fullest cell is at " << place << " m, with a solid fraction of "
+        << most;
+    return os.str();
+}
+
+
+void Foam::solidFractionField::reportSpread(const scalar share)
+{
+    if (share < min(max(warnFrom, 2*warnedOfSpread_), mostSpread_))
+    {
+        return;
+    }
+
+    const string where(fullest());
+    OStringStream os;
+    os  << 100*share << " % of the solid volume is spread over neighbouring cells"
+        << " (volume that moves on counts again), since the void fraction would"
+        << " be below the minimum of " << minimum_ << "." << nl
+        << "    " << where.c_str() << "." << nl;
+    const string what(os.str());
+    const char* const advice =
+        "    A packing of spheres has 0.64 at most. Below that take larger cells,"
+        " more smoothing or a lower voidFraction/minimum; above it grains or"
+        " material points are pressed into each other: a stiffer contact, a smaller"
+        " step, or points with 'shifting on'.";
+
+    if (share > mostSpread_)
+    {
+        FatalErrorInFunction
+            << what.c_str() << advice << nl
+            << "    The forces there are no longer those of the flow. To go on,"
+            << " raise voidFraction/largestSpread above " << mostSpread_ << "."
+            << exit(FatalError);
+    }
+
+    warnedOfSpread_ = share;
+    WarningInFunction
+        << what.c_str() << advice << nl
+        << "    The run stops at " << 100*mostSpread_ << " %." << endl;
 }
 
 
@@ -71,8 +147,10 @@ void Foam::solidFractionField::report()
 
     if (excess_.moved())
     {
+        const scalar share = excess_.volume()/mapping_.totalVolume();
         Info<< "    grain volume spread over neighbouring cells, since the"
             << " void fraction would be below " << minimum_ << ": "
-            << 100*excess_.volume()/mapping_.totalVolume() << " %" << endl;
+            << 100*share << " %" << endl;
+        reportSpread(share);
     }
 }
