@@ -115,8 +115,8 @@ void Foam::solidFractionField::reportSpread(const scalar share)
     const char* const advice =
         "    A packing of spheres has 0.64 at most. Below that take larger cells,"
         " more smoothing or a lower voidFraction/minimum; above it grains or"
-        " material points are pressed into each other: a stiffer contact, a smaller"
-        " step, or points with 'shifting on'.";
+        " material points are pressed into each other: take a stiffer contact, a"
+        " smaller step, or points with 'shifting on'.";
 
     if (share > mostSpread_)
     {
