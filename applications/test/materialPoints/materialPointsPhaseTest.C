@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unit tests: material points in the place of grains.
 
+#include "OFstream.H"
+#include "OSspecific.H"
 #include "grainSnapshot.H"
 #include "otherMeshes.H"
 #include "testNumber.H"
@@ -203,6 +205,46 @@ TEST(materialPointsPhase, aBodyIsDampedWhileItSettles)
     const scalar before = phase->velocity()[5].z();
     phase->advance();
     EXPECT_NEAR(phase->velocity()[5].z(), before - 9.81*t, 1e-9);
+}
+
+
+TEST(materialPointsPhase, theGateOfTheCaseHoldsPointsUntilItIsDrawn)
+{
+    testMesh box(slice());
+    const Time& time = box.time();
+    mkDir(time.path()/time.constant());
+    {
+        OFstream os(time.path()/time.constant()/"slidingGate");
+        os  << "FoamFile { version 2.0; format ascii; class dictionary;"
+            << " object slidingGate; }" << nl
+            << "point (0.4 0 0); normal (1 0 0); speed 4; start 0.05;" << nl;
+    }
+    auto phase = points(box.mesh(), "box ((0 0 0) (0.4 1 0.2));");
+    EXPECT_TRUE(phase->activePhysics().found("gate"));
+
+    const auto furthest = [&]()
+    {
+        scalar x = 0;
+        for (const point& p : phase->position())
+        {
+            x = max(x, p.x());
+        }
+        return x;
+    };
+
+    const scalar interval = phase->exchangeInterval();
+    scalar t = 0;
+    for (; t < 0.05 - interval; t += interval)
+    {
+        phase->advance();
+    }
+    EXPECT_LT(furthest(), 0.4 + 1e-6);
+
+    for (; t < 0.25; t += interval)
+    {
+        phase->advance();
+    }
+    EXPECT_GT(furthest(), 0.45);
 }
 
 

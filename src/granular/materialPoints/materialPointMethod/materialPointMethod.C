@@ -114,6 +114,10 @@ void Foam::materialPointMethod::step(const scalar dt, const scalar damping)
         damp(dt, damping);
     }
 
+    if (gate_)
+    {
+        from_ = points_.x;
+    }
     cell_.setSize(points_.size());
     dilation_.setSize(points_.size());
 
@@ -140,6 +144,10 @@ void Foam::materialPointMethod::step(const scalar dt, const scalar damping)
     forAll(points_.x, i)
     {
         walls_.putBack(points_.x[i], cell_[i]);
+        if (gate_)
+        {
+            gate_->putBack(points_.x[i], from_[i]);
+        }
     }
 
     travel();

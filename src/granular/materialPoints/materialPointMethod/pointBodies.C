@@ -212,3 +212,65 @@ void Foam::materialPointMethod::place
             << "    Points are " << spacing << " m apart." << exit(FatalIOError);
     }
 }
+
+
+void Foam::materialPointMethod::addGate
+(
+    const point& onPlane,
+    const vector& normal,
+    const vector& direction,
+    const scalar edge,
+    const bool closed
+)
+{
+    gate_.reset(new pointGate(grid_, onPlane, normal, direction));
+    gate_->move(edge);
+
+    // Points that nodes at the gate would hold, on the side of the normal and on the
+    // other one; further off where there are none
+    FixedList<scalar, 2> near(scalar(0));
+    FixedList<scalar, 2> all(scalar(0));
+    label beyond = -1;
+
+    forAll(points_.x, i)
+    {
+        const point& p = points_.x[i];
+        const scalar distance = gate_->distance(p);
+        const label side = distance < 0;
+        all[side] += points_.mass[i];
+
+        if (gate_->stands(p) && mag(distance) < pointGate::reach*grid_.h())
+        {
+            near[side] += points_.mass[i];
+            beyond = side ? i : beyond;
+        }
+    }
+    for (const label side : {0, 1})
+    {
+        reduce(near[side], sumOp<scalar>());
+        reduce(all[side], sumOp<scalar>());
+    }
+
+    if (closed && near[0] > 0 && near[1] > 0)
+    {
+        const point at = returnReduce
+        (
+            beyond >= 0 ? points_.x[beyond] : point(vector::uniform(GREAT)),
+            minOp<point>()
+        );
+        FatalErrorInFunction
+            << "The gate at " << onPlane << " m has points on both sides, and it"
+            << " holds those of one; beyond it some are at " << at << " m." << nl
+            << "    Let the regions of the bodies end " << pointGate::reach
+            << " cellSize = " << pointGate::reach*grid_.h() << " m beyond the gate"
+            << " in constant/slidingGate, or put the gate elsewhere."
+            << exit(FatalError);
+    }
+
+    const FixedList<scalar, 2>& of = near[0] + near[1] > 0 ? near : all;
+    if (of[1] > of[0])
+    {
+        gate_.reset(new pointGate(grid_, onPlane, -normal, direction));
+        gate_->move(edge);
+    }
+}

@@ -151,6 +151,10 @@ void Foam::materialPointMethod::applyWalls(const bool counts)
     for (label field = 0; field < nFields(); ++field)
     {
         walls_.apply(nodes_[field], field, counts);
+        if (gate_)
+        {
+            gate_->apply(nodes_[field]);
+        }
     }
 }
 

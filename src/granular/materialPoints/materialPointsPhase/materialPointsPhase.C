@@ -170,6 +170,8 @@ Foam::materialPointsPhase::materialPointsPhase
         )
     ),
     method_(gridOf(mesh, dict_), g, dict_),
+    gate_(mesh, gateMotion::settings(mesh)),
+    now_(mesh.time().value()),
     restarted_(false),
     timeStep_(0),
     nLeft_(0)
@@ -209,10 +211,28 @@ Foam::materialPointsPhase::materialPointsPhase
     {
         readState(state);
     }
+    closeGate();
     refresh();
 
     tellBodies(method_);
     tellSteps(*this, mesh.time());
+}
+
+
+void Foam::materialPointsPhase::closeGate()
+{
+    if (!gate_.exists())
+    {
+        return;
+    }
+
+    const bool closed = gate_.drawn(now_) <= 0;
+    method_.addGate
+    (
+        gate_.onPlane(), gate_.normal(), gate_.direction(), gate_.edge(now_), closed
+    );
+    Info<< "    gate of constant/slidingGate at " << gate_.onPlane()
+        << " m holds points, drawn " << gate_.drawn(now_) << " m" << endl;
 }
 
 
@@ -252,7 +272,12 @@ void Foam::materialPointsPhase::move(const scalar time)
         // Equal steps, and no short one at the end
         const scalar dt =
             remaining/std::ceil(remaining/method_.stableStep()*(1 - 1e-9));
+        if (gate_.exists())
+        {
+            method_.moveGate(gate_.edge(now_));
+        }
         method_.step(dt);
+        now_ += dt;
         remaining -= dt;
     }
 }

@@ -236,6 +236,10 @@ Foam::dictionary Foam::materialPointsPhase::activePhysics() const
     result.add("walls", keywords::sub(dict_, "walls"));
     result.add("contact", keywords::sub(dict_, "contact"));
     result.add("bodies", keywords::sub(dict_, "bodies"));
+    if (gate_.exists())
+    {
+        result.add("gate", gateMotion::settings(mesh_));
+    }
 
     return result;
 }
