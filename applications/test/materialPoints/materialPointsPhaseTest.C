@@ -271,12 +271,40 @@ TEST(materialPointsPhase, pointsLeaveThroughAnOutflowAndAreCounted)
 }
 
 
-TEST(materialPointsPhase, anOutflowThatIsNotAWholeSideIsNamed)
+TEST(materialPointsPhase, pointsLeaveThroughAPatchThatLeans)
 {
+    // From x = 0.8 m at the base to 0.6 m at the top
+    testMesh box(slice("patch"));
+    movePoints(box.mesh(), [](const point& p)
+    {
+        return point(p.x()*(1 - 0.625*p.z()), p.y(), p.z());
+    });
+    auto phase = points
+    (
+        box.mesh(),
+        "box ((0.5 0 0) (0.7 1 0.15));",
+        "outflow (xMax);"
+    );
+    const label n = phase->nTotal();
+    for (label i = 0; i < 300; ++i)
+    {
+        phase->advance();
+        for (const point& p : phase->position())
+        {
+            ASSERT_LT(p.x(), 0.8*(1 - 0.625*p.z()) + 1e-5);
+        }
+    }
+
+    EXPECT_GT(phase->nLeft(), 10);
+    EXPECT_EQ(phase->nTotal() + phase->nLeft(), n);
+}
+
+
+TEST(materialPointsPhase, pointsLeaveThroughAPartOfASide)
+{
+    // The last face of the top turns down into the side at xMax
     testMesh box(slice("patch"));
     fvMesh& mesh = box.mesh();
-
-    // The last face of the top turns down into the side at xMax
     movePoints(mesh, [](const point& p)
     {
         const bool corner = p.x() > 0.79 && p.z() > 0.39;
@@ -286,14 +314,45 @@ TEST(materialPointsPhase, anOutflowThatIsNotAWholeSideIsNamed)
           : next ? p + vector(0.05, 0, 0)
           : p;
     });
-    const string here("box ((0 0 0) (0.2 1 0.2));");
+    auto phase = points(mesh, "box ((0.6 0 0) (0.8 1 0.2));", "outflow (xMax);");
+    for (label i = 0; i < 150; ++i)
+    {
+        phase->advance();
+    }
 
-    const std::string output
+    EXPECT_GT(phase->nLeft(), 10);
+    EXPECT_EQ(phase->nTotal() + phase->nLeft(), 400);
+}
+
+
+TEST(materialPointsPhase, aSeedShiftsPointsAndAnotherOneOtherwise)
+{
+    testMesh box(slice());
+    const auto placesOf = [&](const string& seed)
+    {
+        return pointField(points(box.mesh(), "box ((0 0 0) (0.2 1 0.2));", seed)->position());
+    };
+    const pointField rows(placesOf(""));
+    const pointField first(placesOf("seed 1;"));
+    const pointField again(placesOf("seed 1;"));
+    const pointField second(placesOf("seed 2;"));
+
+    ASSERT_EQ(first.size(), rows.size());
+    EXPECT_TRUE(first == again);
+
+    // In rows of 0.01 m, by a tenth of that along x and z
+    const scalarField x(mag(first.component(0) - rows.component(0)));
+    EXPECT_GT(max(x), 0.9e-3);
+    EXPECT_LT(max(x), 1e-3);
+    EXPECT_NEAR(average(x), 0.5e-3, 0.1e-3);
+    EXPECT_NEAR(average(first - rows).z(), 0, 1e-4);
+    EXPECT_EQ(max(mag(first.component(1) - rows.component(1))), 0);
+    EXPECT_GT(average(mag(second - first)), 0.5e-3);
+
+    expectHolds
     (
-        refusal([&]() { points(mesh, here, "outflow (xMax);"); })
+        refusal([&]() { placesOf("seed -1;"); }), "seed is -1"
     );
-    EXPECT_NE(output.find("Patch xMax"), std::string::npos) << output;
-    EXPECT_NE(output.find("faces of zMax"), std::string::npos) << output;
 }
 
 

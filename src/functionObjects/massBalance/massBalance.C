@@ -232,9 +232,12 @@ bool Foam::functionObjects::massBalance::sample()
     {
         FatalErrorInFunction
             << type() << " " << name() << " was not executed in "
-            << index - lastIndex_ - 1 << " steps, so outflow is missing." << nl
+            << index - lastIndex_ - 1 << " steps, so outflow is missing. It needs"
+            << " each step: executeControl timeStep with executeInterval 1, as"
+            << " without both." << nl
             << "    Remove executeControl and executeInterval from its"
-            << " dictionary; writeControl sets how often it writes."
+            << " dictionary; writeControl and writeInterval set how often it"
+            << " writes."
             << exit(FatalError);
     }
 

@@ -51,6 +51,8 @@ Foam::materialPointMethod::materialPointMethod
 :
     grid_(grid),
     walls_(grid_),
+    outlets_(grid_),
+    hasOutlets_(false),
     g_(g),
     flipShare_(flipShare(dict)),
     averaging_(dict.getOrDefault<Switch>("averaging", true)),

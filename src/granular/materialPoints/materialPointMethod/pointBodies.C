@@ -6,6 +6,31 @@
 #include "PstreamReduceOps.H"
 #include "keywords.H"
 
+#include <cstdint>
+
+namespace
+{
+    using namespace Foam;
+
+    //- A number from -1 to 1 that belongs to a seed, a point and an axis, the same on
+    //  any machine and number of ranks (splitmix64)
+    scalar scattered(const label seed, const label id, const label axis)
+    {
+        const std::uint64_t number = (std::uint64_t(seed) << 32) + std::uint64_t(id);
+        std::uint64_t x = 0x9e3779b97f4a7c15u*(3*number + axis + 1);
+        x = (x ^ (x >> 30))*0xbf58476d1ce4e5b9u;
+        x = (x ^ (x >> 27))*0x94d049bb133111ebu;
+        x ^= x >> 31;
+        return 2*scalar(x >> 11)/9007199254740992.0 - 1;
+    }
+
+
+    //- What a seed shifts points by at most, in their distances: little enough that none
+    //  leaves a body
+    constexpr scalar scatter = 0.1;
+}
+
+
 void Foam::materialPointMethod::addBodies
 (
     const dictionary& dict,
@@ -21,6 +46,14 @@ void Foam::materialPointMethod::addBodies
             << "pointsPerCell is " << perCell << "; give the number of points"
             << " of a cell along each direction, 1 or more (usual: 2)."
             << exit(FatalIOError);
+    }
+
+    const label seed = dict.getOrDefault<label>("seed", 0);
+    if (seed < 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "seed is " << seed << "; give 0 for points in rows, or a number above"
+            << " for each replicate." << exit(FatalIOError);
     }
 
     PtrList<pointRegion> regions;
@@ -45,7 +78,7 @@ void Foam::materialPointMethod::addBodies
 
         if (withPoints)
         {
-            place(body.dict(), regions, perCell);
+            place(body.dict(), regions, perCell, seed);
         }
     }
 
@@ -158,7 +191,8 @@ void Foam::materialPointMethod::place
 (
     const dictionary& dict,
     PtrList<pointRegion>& regions,
-    const label perCell
+    const label perCell,
+    const label seed
 )
 {
     const label body = regions.size();
@@ -199,7 +233,12 @@ void Foam::materialPointMethod::place
                     continue;
                 }
                 checkAlone(dict, p, regions);
-                addPoint(++id, body, p, U, volume);
+                ++id;
+                for (label a = 0; seed && a < grid_.nDims(); ++a)
+                {
+                    p[grid_.axes()[a]] += scatter*spacing*scattered(seed, id, a);
+                }
+                addPoint(id, body, p, U, volume);
             }
         }
     }

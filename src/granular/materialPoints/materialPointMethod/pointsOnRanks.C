@@ -168,10 +168,29 @@ void Foam::materialPointMethod::stopFor
 }
 
 
-bool Foam::materialPointMethod::hasLeft(const point& p) const
+void Foam::materialPointMethod::addOutlet
+(
+    const word& name,
+    const UList<pointField>& faces
+)
+{
+    const label outlet = outlets_.add(name, 0);
+    for (const pointField& face : faces)
+    {
+        outlets_.addFace(outlet, face);
+    }
+    hasOutlets_ = true;
+}
+
+
+bool Foam::materialPointMethod::hasLeft
+(
+    const point& p,
+    const label cell
+) const
 {
     const boundBox& box = grid_.box();
-    bool result = false;
+    bool result = hasOutlets_ && outlets_.isBehind(p, cell);
 
     for (direction d = 0; d < 3; ++d)
     {
@@ -187,8 +206,9 @@ bool Foam::materialPointMethod::hasLeft(const point& p) const
 
 bool Foam::materialPointMethod::leaves(const label i)
 {
+    // Before it repeats: faces are around the cell that it came from
+    const bool left = hasLeft(points_.x[i], cell_[i]);
     grid_.wrap(points_.x[i]);
-    const bool left = hasLeft(points_.x[i]);
     nLeft_ += left;
 
     if (!left && !grid_.holds(points_.x[i]))

@@ -148,7 +148,7 @@ Foam::materialPointsPhase::materialPointsPhase
             dict,
             typeName,
             {
-                "cellSize", "pointsPerCell", "transfer", "averaging",
+                "cellSize", "pointsPerCell", "seed", "transfer", "averaging",
                 "densityAveraging", "shifting", "courant", "timeStep",
                 "walls", "outflow", "contact", "bodies"
             }
@@ -179,7 +179,7 @@ Foam::materialPointsPhase::materialPointsPhase
     Info<< "Grains: material points" << endl;
 
     materialPointsWalls::add(method_, mesh.boundaryMesh(), patches_, dict_);
-    materialPointsWalls::open(method_, mesh, dict_);
+    materialPointsWalls::open(method_, mesh, patches_, dict_);
 
     const fileName state(stateOnDisk());
     restarted_ = state.size();

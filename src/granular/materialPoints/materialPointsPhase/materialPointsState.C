@@ -222,7 +222,7 @@ Foam::dictionary Foam::materialPointsPhase::activePhysics() const
     (
         const char* key
       : {
-            "cellSize", "pointsPerCell", "courant", "averaging",
+            "cellSize", "pointsPerCell", "seed", "courant", "averaging",
             "densityAveraging", "shifting"
         }
     )

@@ -48,40 +48,54 @@ bool liesIn(const boundBox& bounds, const boundBox& box, const label side)
 }
 
 
-//- Fatal: the side that a patch of outflow opens has faces of patches that are
-//  none
-void checkAllOpen
-(
-    const fvMesh& mesh,
-    const dictionary& dict,
-    const label side,
-    const word& opened,
-    const wordRes& outflow
-)
+//- True where a side of the mesh's box has faces of patches of outflow alone
+bool isAllOpen(const fvMesh& mesh, const label side, const wordRes& outflow)
 {
     const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    bool others = false;
 
     for (label i = 0; i < patches.nNonProcessor(); ++i)
     {
         const polyPatch& patch = patches[i];
-        bool shares = false;
+        if (outflow.match(patch.name()))
+        {
+            continue;
+        }
 
         for (const face& f : patch)
         {
             const boundBox bounds(patch.points(), f, false);
-            shares = shares || liesIn(bounds, mesh.bounds(), side);
-        }
-
-        if (!outflow.match(patch.name()) && returnReduce(shares, orOp<bool>()))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Patch " << opened << " of outflow is not the whole side of"
-                << " the mesh's box: faces of " << patch.name() << " are in it,"
-                << " too, and points would leave there as well." << nl
-                << "    Name both in outflow, or shape the mesh so that "
-                << opened << " is alone in its side." << exit(FatalIOError);
+            others = others || liesIn(bounds, mesh.bounds(), side);
         }
     }
+
+    return !returnReduce(others, orOp<bool>());
+}
+
+
+//- The side of the mesh's box that a patch lies in and that outflow opens as a whole;
+//  -1 where there is none
+label openedSide
+(
+    const fvMesh& mesh,
+    const polyPatch& patch,
+    const wordRes& outflow
+)
+{
+    const boundBox bounds(patch.localPoints(), true);
+
+    for (label side = 0; side < 6; ++side)
+    {
+        if
+        (
+            liesIn(bounds, mesh.bounds(), side)
+         && isAllOpen(mesh, side, outflow)
+        )
+        {
+            return side;
+        }
+    }
+    return -1;
 }
 
 } // End anonymous namespace
@@ -203,6 +217,7 @@ void Foam::materialPointsWalls::open
 (
     materialPointMethod& method,
     const fvMesh& mesh,
+    const wordRes& walls,
     const dictionary& dict
 )
 {
@@ -220,26 +235,28 @@ void Foam::materialPointsWalls::open
             continue;
         }
 
-        const boundBox bounds(patch.localPoints(), true);
-        bool isOnSide = false;
-
-        for (label side = 0; side < 6; ++side)
+        const label side = openedSide(mesh, patch, outflow);
+        if (side >= 0)
         {
-            if (liesIn(bounds, mesh.bounds(), side))
-            {
-                checkAllOpen(mesh, dict, side, patch.name(), outflow);
-                method.open(side);
-                isOnSide = true;
-            }
+            method.open(side);
         }
-
-        if (!isOnSide)
+        else
         {
-            FatalIOErrorInFunction(dict)
-                << "Patch " << patch.name() << " of outflow is in no side of the"
-                << " mesh's box " << mesh.bounds() << nl
-                << "    Points leave where they cross such a side: end the mesh"
-                << " there." << exit(FatalIOError);
+            method.addOutlet(patch.name(), faces(patch));
         }
     }
+    if (!method.hasOutlets())
+    {
+        return;
+    }
+
+    // With the walls beside them, so that it is known what is beyond an edge
+    for (label i = 0; i < patches.nNonProcessor(); ++i)
+    {
+        if (isWall(patches[i], walls))
+        {
+            method.addOutlet(patches[i].name(), faces(patches[i]));
+        }
+    }
+    method.findOutlets();
 }
