@@ -37,6 +37,58 @@ TEST_F(tank, waterAtRestHasNoExcessPressure)
 }
 
 
+TEST_F(tank, aLineOfProbesMayBeTheMeanOfItsSamples)
+{
+    const string settings("probes ((0.45 0.45 0)); patch zMin; radius 0.31;");
+    functionObjects::porePressureProbes present
+    (
+        "present", box_.time(), dict(settings)
+    );
+    functionObjects::porePressureProbes mean
+    (
+        "mean", box_.time(), dict(settings + " average yes;")
+    );
+    const auto sampleAt = [&](const scalar pressure)
+    {
+        ++box_.time();
+        p_ = dimensionedScalar("p", p_.dimensions(), pressure);
+        p_.correctBoundaryConditions();
+        for (fvPatchScalarField& wall : p_.boundaryFieldRef())
+        {
+            wall == pressure;
+        }
+        present.execute();
+        mean.execute();
+    };
+    const auto pressures = [&]()
+    {
+        present.write();
+        mean.write();
+        return Pair<scalar>
+        (
+            lastLine("present", "porePressureProbes")[1],
+            lastLine("mean", "porePressureProbes")[1]
+        );
+    };
+
+    for (const scalar pressure : {1000, 3000, 5000})
+    {
+        sampleAt(pressure);
+    }
+    const Pair<scalar> first(pressures());
+    EXPECT_NEAR(first.first(), 5000, 1e-6);
+    EXPECT_NEAR(first.second(), 3000, 1e-6);
+
+    // Written again without a new sample, and with one: the sums begin again
+    EXPECT_EQ(pressures(), first);
+    sampleAt(7000);
+    EXPECT_NEAR(pressures().second(), 7000, 1e-6);
+
+    const scalarList summary(lastLine("mean", "summary"));
+    EXPECT_NEAR(summary[1], 7000, 1e-6);
+}
+
+
 TEST_F(tank, waterAtRestHasNoExcessPressureOnAnyWall)
 {
     // Pressure of water at rest up to z = 1/2, in cells of 1/4 m

@@ -56,7 +56,7 @@ bool Foam::functionObjects::porePressureProbes::read(const dictionary& dict)
         dict,
         {
             "probes", "patch", "p", "hydrostatic", "radius", "highShare",
-            "lowShare", "excessPressure"
+            "lowShare", "excessPressure", "average"
         }
     );
 
@@ -68,6 +68,9 @@ bool Foam::functionObjects::porePressureProbes::read(const dictionary& dict)
     radius_ = dict.lookupOrDefault<scalar>("radius", 0.1);
     highShare_ = dict.lookupOrDefault<scalar>("highShare", 0.5);
     lowShare_ = dict.lookupOrDefault<scalar>("lowShare", 0.05);
+
+    average_ = dict.lookupOrDefault<Switch>("average", false);
+    lineDone_ = true;
 
     excessShown_ = dict.lookupOrDefault<scalar>("excessPressure", -1);
 
@@ -365,7 +368,14 @@ bool Foam::functionObjects::porePressureProbes::sample()
 
     const scalarList fromGrains(grainStress());
 
-    line_.clear();
+    if (!average_ || lineDone_)
+    {
+        sums_ = List<sums>(probes_.size());
+        nSamples_ = 0;
+        lineDone_ = false;
+    }
+    ++nSamples_;
+
     forAll(probes_, i)
     {
         const scalar level = columns_[i].integral(talpha());
@@ -377,28 +387,60 @@ bool Foam::functionObjects::porePressureProbes::sample()
         };
         const scalar p = shown(discs_[i].atPoint(pWall, alongWall(i), talpha()));
         const scalar onBase = shown(discs_[i].mean(pWall));
-        const scalar sigma = fromGrains[i] + onBase;
 
-        // Next to nothing lies on a base with less than 1 Pa
-        const scalar lambda = sigma > 1 ? onBase/sigma : 0;
+        sums& sum = sums_[i];
+        sum.p += p;
+        sum.rest += rest;
+        sum.level += level;
+        sum.sigma += fromGrains[i] + onBase;
+        sum.onBase += onBase;
 
-        line_.append
-        (
-            scalarList({p, rest, p - rest, level, sigma, lambda})
-        );
-
-        pressure_[i].append(now(), p);
+        if (!average_)
+        {
+            pressure_[i].append(now(), p);
+        }
     }
 
     return true;
 }
 
 
+Foam::scalarList Foam::functionObjects::porePressureProbes::meansOf
+(
+    const label i
+) const
+{
+    const sums& sum = sums_[i];
+    const scalar p = sum.p/nSamples_;
+    const scalar rest = sum.rest/nSamples_;
+    const scalar sigma = sum.sigma/nSamples_;
+
+    // Next to nothing lies on a base with less than 1 Pa
+    const scalar lambda = sigma > 1 ? sum.onBase/nSamples_/sigma : 0;
+
+    return scalarList
+    ({
+        p, rest, p - rest, sum.level/nSamples_, sigma, lambda
+    });
+}
+
+
 void Foam::functionObjects::porePressureProbes::report()
 {
+    scalarList line;
+    forAll(probes_, i)
+    {
+        line.append(meansOf(i));
+        if (average_)
+        {
+            pressure_[i].append(now(), sums_[i].p/nSamples_);
+        }
+    }
+    lineDone_ = true;
+
     if (writes())
     {
-        writeLine(file(), line_);
+        writeLine(file(), line);
         writeSummary();
     }
 }
