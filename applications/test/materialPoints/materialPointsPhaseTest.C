@@ -330,7 +330,8 @@ TEST(materialPointsPhase, aSeedShiftsPointsAndAnotherOneOtherwise)
     testMesh box(slice());
     const auto placesOf = [&](const string& seed)
     {
-        return pointField(points(box.mesh(), "box ((0 0 0) (0.2 1 0.2));", seed)->position());
+        const string region("box ((0 0 0) (0.2 1 0.2));");
+        return pointField(points(box.mesh(), region, seed)->position());
     };
     const pointField rows(placesOf(""));
     const pointField first(placesOf("seed 1;"));

@@ -66,7 +66,10 @@ autoPtr<boxOfPoints> pushedTogether(const bool cut, const bool repeats)
     box.cut = cut;
     box.repeats = repeats;
 
-    autoPtr<boxOfPoints> column(new boxOfPoints(box, vector(2, 0, 0), oneBody));
+    autoPtr<boxOfPoints> column
+    (
+        new boxOfPoints(box, vector(2, 0, 0), "shifting on; " + oneBody)
+    );
     for (point& x : column->points().x)
     {
         x.z() *= 0.7;

@@ -82,7 +82,7 @@ scalar fullestOfDrawnOut(const string& settings)
 
 //- A block far from all walls whose points have been pushed together to three
 //  quarters of their height, without a change of their volumes, and which moves
-autoPtr<boxOfPoints> pushedTogether(const string& settings = "")
+autoPtr<boxOfPoints> pushedTogether(const string& settings = "shifting on;")
 {
     pointBox box;
     box.height = 0.8;
@@ -109,9 +109,12 @@ autoPtr<boxOfPoints> pushedTogether(const string& settings = "")
 
 TEST(pointShifts, aBlockThatIsDrawnOutDoesNotOverfillTheGrid)
 {
-    const scalar APIC = fullestOfDrawnOut("");
-    const scalar averaged = fullestOfDrawnOut("densityAveraging on;");
-    const scalar FLIP = fullestOfDrawnOut("transfer { model FLIP; }");
+    const scalar APIC = fullestOfDrawnOut("shifting on;");
+    const scalar averaged = fullestOfDrawnOut("shifting on; densityAveraging on;");
+    const scalar FLIP = fullestOfDrawnOut
+    (
+        "shifting on; transfer { model FLIP; }"
+    );
     testNumber("fullest node over the largest packing, APIC", APIC);
     testNumber("the same, densityAveraging", averaged);
     testNumber("the same, FLIP", FLIP);
@@ -121,8 +124,8 @@ TEST(pointShifts, aBlockThatIsDrawnOutDoesNotOverfillTheGrid)
     EXPECT_LT(FLIP, 1.1);
 
     // What this would be otherwise
-    const scalar without = fullestOfDrawnOut("shifting off;");
-    testNumber("the same, shifting off", without);
+    const scalar without = fullestOfDrawnOut("");
+    testNumber("the same, without shifts", without);
     EXPECT_GT(without, 1.5);
 }
 
@@ -138,7 +141,7 @@ TEST(pointShifts, pointsLeaveWhatTheyOverfillWithTheirMomentum)
     EXPECT_LT(fullest(*block), 1.06);
     EXPECT_LT(mag(block->momentum() - before), 1e-12*mag(before));
 
-    auto without = pushedTogether("shifting off;");
+    auto without = pushedTogether("");
     without->run(0.2);
     EXPECT_GT(fullest(*without), 1.3);
 }
@@ -153,7 +156,10 @@ TEST(pointShifts, whatFillsABoxToItsWallsStaysWhereItIs)
         pointBox box;
         box.solid = solid;
         box.width = 0.2;
-        boxOfPoints bed(box, Zero, body(debris, "((0 0 0) (1 1 0.5))"));
+        boxOfPoints bed
+        (
+            box, Zero, body(debris, "((0 0 0) (1 1 0.5))", "shifting on;")
+        );
         const DynamicList<point> before(bed.points().x);
         labelList where(before.size());
         forAll(bed.points().id, i)
@@ -177,7 +183,10 @@ TEST(pointShifts, aLayerAtAWallThatIsTooThinForItsPointsRises)
     // the room of others
     pointBox box;
     box.repeats = true;
-    boxOfPoints layer(box, Zero, body(debris, "((0 0 0) (1 1 0.1))"));
+    boxOfPoints layer
+    (
+        box, Zero, body(debris, "((0 0 0) (1 1 0.1))", "shifting on;")
+    );
     for (point& x : layer.points().x)
     {
         x.z() *= 0.5;
@@ -201,7 +210,10 @@ TEST(pointShifts, looseMaterialTakesNoMoreRoomThanWhenItCloses)
     // Volumes that have grown threefold in flight: what lies below stays
     pointBox box;
     box.repeats = true;
-    boxOfPoints bed(box, Zero, body(debris, "((0 0 0) (1 1 0.5))"));
+    boxOfPoints bed
+    (
+        box, Zero, body(debris, "((0 0 0) (1 1 0.5))", "shifting on;")
+    );
     for (scalar& V : bed.points().volume)
     {
         V *= 3;
@@ -219,4 +231,42 @@ TEST(pointShifts, looseMaterialTakesNoMoreRoomThanWhenItCloses)
     {
         ASSERT_EQ(bed.points().x[i], before[where[bed.points().id[i]]]);
     }
+}
+
+
+TEST(pointShifts, aBedInContactWithWhatOverfillsItselfStays)
+{
+    // A slab on a bed, pushed together to three quarters of its height
+    pointBox box;
+    box.repeats = true;
+    const string ofBody(debris + " region { box ");
+    boxOfPoints both
+    (
+        box,
+        Zero,
+        "shifting on; contact { friction 0.3; } bodies { bed { " + ofBody
+      + "((0 0 0) (1 1 0.3)); } } slab { " + ofBody + "((0 0 0.3) (1 1 0.5)); } } }"
+    );
+    pointSet& p = both.points();
+    List<point> before(p.size() + 1);
+    forAll(p.x, i)
+    {
+        if (p.body[i] == 1)
+        {
+            p.x[i].z() = 0.3 + 0.75*(p.x[i].z() - 0.3);
+        }
+        before[p.id[i]] = p.x[i];
+    }
+
+    both.run(0.05);
+
+    scalar ofBed = 0;
+    scalar ofSlab = 0;
+    forAll(p.x, i)
+    {
+        scalar& most = p.body[i] == 0 ? ofBed : ofSlab;
+        most = max(most, mag(p.x[i] - before[p.id[i]]));
+    }
+    EXPECT_EQ(ofBed, 0);
+    EXPECT_GT(ofSlab, 0.01);
 }

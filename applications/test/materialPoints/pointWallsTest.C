@@ -278,3 +278,36 @@ TEST(pointWalls, aPointBesideAWallThatBulgesIsLeftAlone)
         }
     }
 }
+
+
+TEST(pointWalls, whatIsBehindAWallHasNotLeftThroughTheOutletBesideIt)
+{
+    // A leaning outlet that ends at a base, both through the same cells
+    const vector2D corner(0.513, 0.207);
+    const vector2D up(std::sin(0.3), std::cos(0.3));
+    const pointGrid grid(slice());
+    pointWalls walls(grid);
+    const label wall = walls.add("base", 0);
+    const label outlet = walls.addOutlet("outlet");
+    addFace(walls, wall, corner, corner + vector2D(0.4, 0));
+    addFace(walls, outlet, corner + 0.4*up, corner);
+    walls.findNodes();
+
+    const auto isBehindOutlet = [&](const vector2D& at)
+    {
+        const point p(at.x(), 0.05, at.y());
+        FixedList<label, 3> cell(0);
+        for (label k = 0; k < 2; ++k)
+        {
+            cell[k] = pointGrid::cell(grid.coordinate(p, k));
+        }
+        return walls.isBehindOutlet(p, grid.node(cell));
+    };
+
+    for (const scalar s : {0.01, 0.02, 0.04})
+    {
+        EXPECT_FALSE(isBehindOutlet(corner + vector2D(s, -0.005))) << s;
+        EXPECT_FALSE(isBehindOutlet(corner + s*up + vector2D(0.005, 0))) << s;
+        EXPECT_TRUE(isBehindOutlet(corner + s*up - vector2D(0.005, 0))) << s;
+    }
+}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unit tests: material points go on from what they have written.
 
+#include "OFstream.H"
 #include "OSspecific.H"
 #include "foamCompatibility.H"
 #include "materialPointsPhase.H"
@@ -174,6 +175,95 @@ TEST(materialPointsPhase, aRestartAsTheFastestLeavesIsExactToTheLastBit)
         }
     }
     EXPECT_GT(restarts, 5);
+}
+
+
+TEST(materialPointsPhase, aGateHoldsTheSameSideAfterARestart)
+{
+    // Most of the flow is beyond the gate as it stops
+    testMesh box(slice());
+    const Time& time = box.time();
+    mkDir(time.path()/time.constant());
+    {
+        OFstream os(time.path()/time.constant()/"slidingGate");
+        os  << "FoamFile { version 2.0; format ascii; class dictionary;"
+            << " object slidingGate; }" << nl
+            << "point (0.2 0 0); normal (1 0 0);"
+            << " speed table ((0 20) (0.01 20) (0.011 0) (1 0));" << nl;
+    }
+    const string here("box ((0.1 0 0) (0.2 1 0.2)); } U (1.5 0 0); settling {");
+    auto whole = points(box.mesh(), here);
+    const scalar interval = whole->exchangeInterval();
+    label n = 0;
+    const auto goOn = [&]()
+    {
+        whole->advance();
+        ++n;
+        box.time().setTime(n*interval, n);
+    };
+    const auto side = [](const granularPhase& phase)
+    {
+        return refCast<const materialPointsPhase>(phase).method().gateSide();
+    };
+    ASSERT_EQ(side(*whole), -1);
+
+    while (n*interval < 0.3)
+    {
+        goOn();
+    }
+    scalar mean = 0;
+    for (const point& p : whole->position())
+    {
+        mean += p.x()/whole->size();
+    }
+    ASSERT_GT(mean, 0.2);
+
+    const fileName folder(time.timePath()/granularPhase::stateFolder);
+    mkDir(folder);
+    ASSERT_TRUE(whole->writeState(folder));
+    whole->checkOut();
+    auto second = points(box.mesh(), here);
+    ASSERT_TRUE(second->restarted());
+    EXPECT_EQ(side(*second), -1);
+
+    for (label i = 0; i < 50; ++i)
+    {
+        whole->advance();
+        second->advance();
+    }
+    EXPECT_EQ(furthest(*whole, *second), 0);
+}
+
+
+TEST(materialPointsPhase, aRestartOfPointsThatShiftIsExactToTheLastBit)
+{
+    // Pushed together in flight, they overfill the grid
+    testMesh box(slice());
+    const string here("box ((0.2 0 0) (0.5 1 0.3)); } U (0 0 -4); settling {");
+    const string on("shifting on;");
+    auto whole = points(box.mesh(), here, on);
+    auto without = points(box.mesh(), here);
+    for (label i = 0; i < 33; ++i)
+    {
+        whole->advance();
+        without->advance();
+    }
+    ASSERT_GT(furthest(*whole, *without), 0);
+
+    const fileName folder(box.time().timePath()/granularPhase::stateFolder);
+    mkDir(folder);
+    ASSERT_TRUE(whole->writeState(folder));
+    whole->checkOut();
+    without->checkOut();
+    auto second = points(box.mesh(), here, on);
+    ASSERT_TRUE(second->restarted());
+
+    for (label i = 0; i < 20; ++i)
+    {
+        whole->advance();
+        second->advance();
+    }
+    EXPECT_EQ(furthest(*whole, *second), 0);
 }
 
 

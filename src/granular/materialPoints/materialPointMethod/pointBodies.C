@@ -253,20 +253,33 @@ void Foam::materialPointMethod::place
 }
 
 
+
 void Foam::materialPointMethod::addGate
 (
     const point& onPlane,
     const vector& normal,
     const vector& direction,
     const scalar edge,
-    const bool closed
+    const bool closed,
+    const label side
 )
 {
-    gate_.reset(new pointGate(grid_, onPlane, normal, direction));
+    pointGate asGiven(grid_, onPlane, normal, direction);
+    asGiven.move(edge);
+    gateSide_ = side ? side : sideOf(asGiven, closed);
+    gate_.reset(new pointGate(grid_, onPlane, gateSide_*normal, direction));
     gate_->move(edge);
+}
 
-    // Points that nodes at the gate would hold, on the side of the normal and on the
-    // other one; further off where there are none
+
+Foam::label Foam::materialPointMethod::sideOf
+(
+    const pointGate& gate,
+    const bool closed
+) const
+{
+    // Mass on the side of the normal and on the other one, of points that nodes at the
+    // gate would hold and of all
     FixedList<scalar, 2> near(scalar(0));
     FixedList<scalar, 2> all(scalar(0));
     label beyond = -1;
@@ -274,11 +287,11 @@ void Foam::materialPointMethod::addGate
     forAll(points_.x, i)
     {
         const point& p = points_.x[i];
-        const scalar distance = gate_->distance(p);
+        const scalar distance = gate.distance(p);
         const label side = distance < 0;
         all[side] += points_.mass[i];
 
-        if (gate_->stands(p) && mag(distance) < pointGate::reach*grid_.h())
+        if (gate.stands(p) && mag(distance) < pointGate::reach*grid_.h())
         {
             near[side] += points_.mass[i];
             beyond = side ? i : beyond;
@@ -292,24 +305,36 @@ void Foam::materialPointMethod::addGate
 
     if (closed && near[0] > 0 && near[1] > 0)
     {
-        const point at = returnReduce
-        (
-            beyond >= 0 ? points_.x[beyond] : point(vector::uniform(GREAT)),
-            minOp<point>()
-        );
-        FatalErrorInFunction
-            << "The gate at " << onPlane << " m has points on both sides, and it"
-            << " holds those of one; beyond it some are at " << at << " m." << nl
-            << "    Let the regions of the bodies end " << pointGate::reach
-            << " cellSize = " << pointGate::reach*grid_.h() << " m beyond the gate"
-            << " in constant/slidingGate, or put the gate elsewhere."
-            << exit(FatalError);
+        stopForBothSides(gate, beyond);
     }
 
-    const FixedList<scalar, 2>& of = near[0] + near[1] > 0 ? near : all;
-    if (of[1] > of[0])
-    {
-        gate_.reset(new pointGate(grid_, onPlane, -normal, direction));
-        gate_->move(edge);
-    }
+    const FixedList<scalar, 2>& mass = near[0] + near[1] > 0 ? near : all;
+    return mass[1] > mass[0] ? -1 : 1;
+}
+
+
+void Foam::materialPointMethod::stopForBothSides
+(
+    const pointGate& gate,
+    const label beyond
+) const
+{
+    // The first of the ranks that have one
+    const label rank = returnReduce
+    (
+        beyond >= 0 ? Pstream::myProcNo() : Pstream::nProcs(), minOp<label>()
+    );
+    const point at = returnReduce
+    (
+        rank == Pstream::myProcNo() ? points_.x[beyond] : point(Zero),
+        sumOp<point>()
+    );
+
+    FatalErrorInFunction
+        << "The gate at " << gate.onPlane() << " m has points on both sides, and it"
+        << " holds those of one; beyond it some are at " << at << " m." << nl
+        << "    Let the regions of the bodies end " << pointGate::reach
+        << " cellSize = " << pointGate::reach*grid_.h() << " m beyond the gate"
+        << " in constant/slidingGate, or put the gate elsewhere."
+        << exit(FatalError);
 }

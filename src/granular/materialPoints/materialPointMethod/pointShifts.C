@@ -21,8 +21,8 @@ namespace
     //- Longest shift, in spacings
     constexpr scalar longest = 0.1;
 
-    //- Places along each direction at which a cell is asked for its room
-    constexpr label nSamples = 4;
+    //- Places along each direction at which a cell at a wall is probed
+    constexpr label nSamples = 8;
 }
 
 
@@ -37,14 +37,64 @@ Foam::scalar Foam::materialPointMethod::occupied(const label i) const
 
 
 template<int D>
-void Foam::materialPointMethod::findRoom()
+void Foam::materialPointMethod::addWholeCell
+(
+    nodeLanes& room,
+    const label cell
+) const
+{
+    // The integrals of a B-spline over the cells beside its own and that one
+    constexpr label n = D == 3 ? 27 : 9;
+    for (label i = 0; i < n; ++i)
+    {
+        label node = cell;
+        scalar volume = grid_.cubeVolume(grid_.h());
+        for (label k = 0, rest = i; k < D; ++k, rest /= 3)
+        {
+            const label way = rest % 3 - 1;
+            node += way*grid_.stride(k);
+            volume *= way ? 1/6.0 : 2/3.0;
+        }
+        room[node][0] += volume;
+    }
+}
+
+
+template<int D>
+void Foam::materialPointMethod::addCellAtWall
+(
+    nodeLanes& room,
+    const label cell
+) const
 {
     constexpr label n = nSamples*nSamples*(D == 3 ? nSamples : 1);
     const scalar part = grid_.cubeVolume(grid_.h())/n;
     const scalar spacing = grid_.h()/nSamples;
-    nodeLanes sum(grid_.nNodes(), lanes(lanes::Zero()));
     lanes flat[D];
     std::fill(flat, flat + D, lanes(lanes::Zero()));
+
+    for (label sample = 0; sample < n; ++sample)
+    {
+        point p(grid_.position(cell));
+        for (label k = 0, rest = sample; k < D; ++k, rest /= nSamples)
+        {
+            p[grid_.axes()[k]] += (rest % nSamples + 0.5)*spacing - 0.5*grid_.h();
+        }
+
+        point inFront(p);
+        walls_.putBack(inFront, cell);
+        if (inFront == p)
+        {
+            splineStencil<D>(grid_, p).add(room, lanes(part, 0, 0, 0), flat);
+        }
+    }
+}
+
+
+template<int D>
+void Foam::materialPointMethod::findRoom()
+{
+    nodeLanes sum(grid_.nNodes(), lanes(lanes::Zero()));
 
     for (label cell = 0; cell < grid_.nNodes(); ++cell)
     {
@@ -56,24 +106,13 @@ void Foam::materialPointMethod::findRoom()
             mine = mine && at[k] >= 0 && at[k] < grid_.nCells(k);
         }
 
-        for (label sample = 0; mine && sample < n; ++sample)
+        if (mine && walls_.isNear(cell))
         {
-            point p(grid_.position(cell));
-            for (label k = 0, rest = sample; k < D; ++k, rest /= nSamples)
-            {
-                p[grid_.axes()[k]] +=
-                    (rest % nSamples + 0.5)*spacing - 0.5*grid_.h();
-            }
-
-            point inFront(p);
-            walls_.putBack(inFront, cell);
-            if (inFront == p)
-            {
-                splineStencil<D>(grid_, p).add
-                (
-                    sum, lanes(part, 0, 0, 0), flat
-                );
-            }
+            addCellAtWall<D>(sum, cell);
+        }
+        else if (mine)
+        {
+            addWholeCell<D>(sum, cell);
         }
     }
     share(sum);
@@ -99,29 +138,35 @@ void Foam::materialPointMethod::findCrowding()
     if (room_.empty())
     {
         findRoom<D>();
-        crowding_.resize(grid_.nNodes());
+        crowding_.resize(nFields());
     }
 
-    std::fill(crowding_.begin(), crowding_.end(), lanes(lanes::Zero()));
+    for (nodeLanes& crowding : crowding_)
+    {
+        crowding.assign(grid_.nNodes(), lanes(lanes::Zero()));
+    }
     lanes flat[D];
     std::fill(flat, flat + D, lanes(lanes::Zero()));
     forAll(points_.x, i)
     {
         splineStencil<D>(grid_, points_.x[i]).add
         (
-            crowding_, lanes(occupied(i), 0, 0, 0), flat
+            crowding_[fieldOf(i)], lanes(occupied(i), 0, 0, 0), flat
         );
     }
     share(crowding_);
 
-    forAll(room_, node)
+    for (nodeLanes& ofBody : crowding_)
     {
-        scalar& crowding = crowding_[node][0];
-        crowding =
-            room_[node] > 0
-          ? max(crowding/room_[node] - 1 - tolerated, scalar(0))
-          : 0;
-        crowded_ = crowded_ || crowding > 0;
+        forAll(room_, node)
+        {
+            scalar& crowding = ofBody[node][0];
+            crowding =
+                room_[node] > 0
+              ? max(crowding/room_[node] - 1 - tolerated, scalar(0))
+              : 0;
+            crowded_ = crowded_ || crowding > 0;
+        }
     }
 }
 
@@ -129,11 +174,12 @@ void Foam::materialPointMethod::findCrowding()
 template<int D>
 Foam::vector Foam::materialPointMethod::shift
 (
-    const splineStencil<D>& stencil
+    const splineStencil<D>& stencil,
+    const label field
 ) const
 {
     lanes moment[D];
-    stencil.mean(crowding_, moment);
+    stencil.mean(crowding_[field], moment);
 
     vector result(Zero);
     for (int k = 0; k < D; ++k)
@@ -152,9 +198,9 @@ template void Foam::materialPointMethod::findCrowding<2>();
 template void Foam::materialPointMethod::findCrowding<3>();
 template Foam::vector Foam::materialPointMethod::shift<2>
 (
-    const splineStencil<2>&
+    const splineStencil<2>&, const label
 ) const;
 template Foam::vector Foam::materialPointMethod::shift<3>
 (
-    const splineStencil<3>&
+    const splineStencil<3>&, const label
 ) const;

@@ -224,7 +224,7 @@ void Foam::materialPointMethod::velocityToPoints(const scalar dt)
         p.x[i] += dt*p.U[i];
         if (crowded_)
         {
-            p.x[i] += shift(stencil);
+            p.x[i] += shift(stencil, fieldOf(i));
         }
     }
 }
@@ -246,7 +246,7 @@ void Foam::materialPointMethod::changeToPoints(const scalar dt)
         goesTo_[i] = p.x[i] + dt*U;
         if (crowded_)
         {
-            goesTo_[i] += shift(stencil);
+            goesTo_[i] += shift(stencil, fieldOf(i));
         }
     }
 }

@@ -174,12 +174,26 @@ void Foam::materialPointMethod::addOutlet
     const UList<pointField>& faces
 )
 {
-    const label outlet = outlets_.add(name, 0);
+    const label outlet = outlets_.addOutlet(name);
     for (const pointField& face : faces)
     {
         outlets_.addFace(outlet, face);
     }
     hasOutlets_ = true;
+}
+
+
+void Foam::materialPointMethod::addWallBesideOutlets
+(
+    const word& name,
+    const UList<pointField>& faces
+)
+{
+    const label wall = outlets_.add(name, 0);
+    for (const pointField& face : faces)
+    {
+        outlets_.addFace(wall, face);
+    }
 }
 
 
@@ -190,7 +204,7 @@ bool Foam::materialPointMethod::hasLeft
 ) const
 {
     const boundBox& box = grid_.box();
-    bool result = hasOutlets_ && outlets_.isBehind(p, cell);
+    bool result = hasOutlets_ && outlets_.isBehindOutlet(p, cell);
 
     for (direction d = 0; d < 3; ++d)
     {
@@ -204,7 +218,7 @@ bool Foam::materialPointMethod::hasLeft
 }
 
 
-bool Foam::materialPointMethod::leaves(const label i)
+bool Foam::materialPointMethod::takeOutside(const label i)
 {
     // Before it repeats: faces are around the cell that it came from
     const bool left = hasLeft(points_.x[i], cell_[i]);
@@ -237,7 +251,7 @@ void Foam::materialPointMethod::travel()
 
     forAll(points_.x, i)
     {
-        const bool left = leaves(i);
+        const bool left = takeOutside(i);
         const label rank =
             grid_.cut()
           ? grid_.rankOf(pointGrid::cell(grid_.coordinate(points_.x[i], 0)))

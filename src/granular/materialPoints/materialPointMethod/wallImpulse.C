@@ -4,64 +4,72 @@
 #include "materialPointMethod.H"
 
 template<int D>
-Foam::vectorField Foam::materialPointMethod::fromNodes
+void Foam::materialPointMethod::addWallImpulses
 (
-    std::vector<nodeLanes>& fields
+    const label field,
+    List<vectorField>& impulses
 ) const
 {
     const pointSet& p = points_;
-    std::vector<nodeLanes> mass
-    (
-        nFields(), nodeLanes(grid_.nNodes(), lanes(lanes::Zero()))
-    );
+    nodeLanes mass(grid_.nNodes(), lanes(lanes::Zero()));
     lanes flat[D];
     std::fill(flat, flat + D, lanes(lanes::Zero()));
 
     forAll(p.x, i)
     {
-        splineStencil<D>(grid_, p.x[i]).add
-        (
-            mass[fieldOf(i)], lanes(p.mass[i], 0, 0, 0), flat
-        );
+        if (fieldOf(i) == field)
+        {
+            splineStencil<D>(grid_, p.x[i]).add
+            (
+                mass, lanes(p.mass[i], 0, 0, 0), flat
+            );
+        }
     }
     share(mass);
 
-    for (label field = 0; field < nFields(); ++field)
+    // A grid may have many more nodes than walls hold: only these change
+    nodeLanes perMass(grid_.nNodes(), lanes(lanes::Zero()));
+    forAll(impulses, wall)
     {
-        nodeLanes& nodes = fields[field];
-
-        for (std::size_t i = 0; i < nodes.size(); ++i)
+        const auto held = walls_.impulses(wall, field);
+        for (const auto& at : held)
         {
-            const scalar m = mass[field][i][0];
-            nodes[i] /= m > 0 ? m : 1;
+            const scalar m = mass[at.node][0];
+            perMass[at.node] += at.impulse/(m > 0 ? m : 1);
+        }
+        forAll(p.x, i)
+        {
+            if (fieldOf(i) == field)
+            {
+                impulses[wall][i] =
+                    p.mass[i]
+                   *toVector(splineStencil<D>(grid_, p.x[i]).mean(perMass));
+            }
+        }
+        for (const auto& at : held)
+        {
+            perMass[at.node] = lanes::Zero();
         }
     }
-
-    vectorField result(p.size());
-    forAll(result, i)
-    {
-        result[i] =
-            p.mass[i]
-           *toVector
-            (
-                splineStencil<D>(grid_, p.x[i]).mean(fields[fieldOf(i)])
-            );
-    }
-
-    return result;
 }
 
 
-Foam::vectorField Foam::materialPointMethod::wallImpulse
-(
-    const label wall
-) const
+Foam::List<Foam::vectorField> Foam::materialPointMethod::wallImpulses() const
 {
-    std::vector<nodeLanes> impulses;
+    List<vectorField> result
+    (
+        walls_.names().size(), vectorField(points_.size(), Zero)
+    );
     for (label field = 0; field < nFields(); ++field)
     {
-        impulses.push_back(walls_.impulseOnNodes(wall, field));
+        if (grid_.nDims() == 2)
+        {
+            addWallImpulses<2>(field, result);
+        }
+        else
+        {
+            addWallImpulses<3>(field, result);
+        }
     }
-
-    return grid_.nDims() == 2 ? fromNodes<2>(impulses) : fromNodes<3>(impulses);
+    return result;
 }

@@ -172,6 +172,7 @@ Foam::materialPointsPhase::materialPointsPhase
     method_(gridOf(mesh, dict_), g, dict_),
     gate_(mesh, gateMotion::settings(mesh)),
     now_(mesh.time().value()),
+    gateSide_(0),
     restarted_(false),
     timeStep_(0),
     nLeft_(0)
@@ -229,7 +230,8 @@ void Foam::materialPointsPhase::closeGate()
     const bool closed = gate_.drawn(now_) <= 0;
     method_.addGate
     (
-        gate_.onPlane(), gate_.normal(), gate_.direction(), gate_.edge(now_), closed
+        gate_.onPlane(), gate_.normal(), gate_.direction(), gate_.edge(now_),
+        closed, gateSide_
     );
     Info<< "    gate of constant/slidingGate at " << gate_.onPlane()
         << " m holds points, drawn " << gate_.drawn(now_) << " m" << endl;

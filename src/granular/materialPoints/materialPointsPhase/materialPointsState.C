@@ -13,6 +13,7 @@
 #include "keywords.H"
 
 #include <fstream>
+#include <sstream>
 
 namespace
 {
@@ -126,8 +127,13 @@ bool Foam::materialPointsPhase::writeState(const fileName& folder)
     if (Pstream::master())
     {
         std::ofstream os(aside, std::ios::binary);
-        os  << heading(method_) << '\n' << method_.sinceSorted() << ' '
-            << sum(n) << '\n';
+        os  << heading(method_) << '\n' << method_.sinceSorted() << ' ' << sum(n);
+        if (method_.gateSide())
+        {
+            os.precision(17);
+            os  << ' ' << method_.gateSide() << ' ' << now_;
+        }
+        os  << '\n';
 
         forAll(n, rank)
         {
@@ -158,6 +164,23 @@ bool Foam::materialPointsPhase::writeState(const fileName& folder)
 }
 
 
+void Foam::materialPointsPhase::readGate(std::istream& numbers)
+{
+    label side = 0;
+    scalar time = 0;
+    if (numbers >> side >> time)
+    {
+        gateSide_ = side;
+
+        // The same bits as without a stop; a state may also begin another run
+        if (mag(time - now_) < 1e-3*exchangeInterval())
+        {
+            now_ = time;
+        }
+    }
+}
+
+
 void Foam::materialPointsPhase::readState(const fileName& path)
 {
     Info<< "    from " << path << endl;
@@ -179,8 +202,10 @@ void Foam::materialPointsPhase::readState(const fileName& path)
 
     label sinceSorted = 0;
     label n = 0;
-    is >> sinceSorted >> n;
-    is.get();
+    std::getline(is, line);
+    std::istringstream numbers(line);
+    numbers >> sinceSorted >> n;
+    readGate(numbers);
 
     // All ranks read all points, and each keeps its own
     pointSet& points = method_.points();
@@ -268,12 +293,13 @@ Foam::autoPtr<Foam::grainSnapshot> Foam::materialPointsPhase::snapshot() const
     }
 
     const wordList& walls = method_.walls().names();
+    const List<vectorField> impulses(method_.wallImpulses());
     forAll(walls, wall)
     {
         grains.wallForce.insert
         (
             walls[wall],
-            vectorField(method_.wallImpulse(wall)/exchangeInterval())
+            vectorField(impulses[wall]/exchangeInterval())
         );
     }
 

@@ -255,7 +255,7 @@ void Foam::materialPointsWalls::open
     {
         if (isWall(patches[i], walls))
         {
-            method.addOutlet(patches[i].name(), faces(patches[i]));
+            method.addWallBesideOutlets(patches[i].name(), faces(patches[i]));
         }
     }
     method.findOutlets();

@@ -44,6 +44,7 @@ Foam::label Foam::pointWalls::add(const word& name, const scalar friction)
 {
     check(name, friction);
     names_.append(name);
+    isOutlet_.append(false);
     impulse_.append(Zero);
     for (scalarField& ofBody : friction_)
     {
@@ -51,6 +52,14 @@ Foam::label Foam::pointWalls::add(const word& name, const scalar friction)
     }
 
     return names_.size() - 1;
+}
+
+
+Foam::label Foam::pointWalls::addOutlet(const word& name)
+{
+    const label outlet = add(name, 0);
+    isOutlet_[outlet] = true;
+    return outlet;
 }
 
 
@@ -165,19 +174,19 @@ void Foam::pointWalls::resetImpulse()
 }
 
 
-Foam::nodeLanes Foam::pointWalls::impulseOnNodes
+std::vector<Foam::pointWalls::nodeImpulse> Foam::pointWalls::impulses
 (
     const label wall,
     const label body
 ) const
 {
-    nodeLanes result(grid_.nNodes(), lanes(lanes::Zero()));
+    std::vector<nodeImpulse> result;
 
     for (std::size_t i = 0; i < held_.size(); ++i)
     {
         if (held_[i].wall == wall)
         {
-            result[held_[i].node] += nodeImpulse_[body][i];
+            result.push_back({held_[i].node, nodeImpulse_[body][i]});
         }
     }
 

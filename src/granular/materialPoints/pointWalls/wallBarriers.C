@@ -126,7 +126,7 @@ void Foam::pointWalls::addBarrier
 
     if (face.normal.square().sum() > little && passes && face.distance < reach)
     {
-        ofNode.append(barrier{face, {}});
+        ofNode.append(barrier{face, {}, false});
         addEdges(ofNode.last(), p, edges);
     }
 }
@@ -164,6 +164,31 @@ void Foam::pointWalls::addEdges
 }
 
 
+bool Foam::pointWalls::isOfOutlet
+(
+    const barrier& wall,
+    const label node,
+    const labelUList& around
+) const
+{
+    for (const label i : around)
+    {
+        const plane face(planeOf(facets_[i], grid_.position(node)));
+
+        if
+        (
+            isOutlet_[facets_[i].wall]
+         && parallel(wall, face)
+         && mag(wall.distance - face.distance) < nearly*grid_.h()
+        )
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
 void Foam::pointWalls::findBarriers(const pointField& place)
 {
     const List<DynamicList<label>> around(facetsAround());
@@ -171,7 +196,7 @@ void Foam::pointWalls::findBarriers(const pointField& place)
 
     for (const heldNode& held : held_)
     {
-        ofNodes[held.node].append(barrier{{held.normal, held.distance}, {}});
+        ofNodes[held.node].append(barrier{{held.normal, held.distance}, {}, false});
     }
 
     barriers_.clear();
@@ -201,6 +226,7 @@ void Foam::pointWalls::findBarriers(const pointField& place)
         for (const barrier& wall : ofNodes[node])
         {
             barriers_.push_back(wall);
+            barriers_.back().isOutlet = isOfOutlet(wall, node, around[node]);
         }
         barriersFrom_[node + 1] = barriers_.size();
     }
@@ -222,6 +248,45 @@ Foam::scalar Foam::pointWalls::depth
     }
 
     return little*grid_.h() - height;
+}
+
+
+Foam::scalar Foam::pointWalls::depthBeyond
+(
+    const barrier& wall,
+    const point& p,
+    const point& node
+) const
+{
+    scalar least = GREAT;
+    for (const plane& side : wall.beyond)
+    {
+        least = min(least, depth(side, p, node));
+    }
+    return least;
+}
+
+
+bool Foam::pointWalls::isBehindOutlet(const point& p, const label cell) const
+{
+    const point node(grid_.position(cell));
+
+    for (label i = barriersFrom_[cell]; i < barriersFrom_[cell + 1]; ++i)
+    {
+        const barrier& wall = barriers_[i];
+        const scalar behind = depth(wall, p, node);
+
+        if
+        (
+            wall.isOutlet
+         && behind > 100*little*grid_.h()
+         && behind <= depthBeyond(wall, p, node)
+        )
+        {
+            return true;
+        }
+    }
+    return false;
 }
 
 
@@ -254,15 +319,9 @@ bool Foam::pointWalls::putBackBehind
 ) const
 {
     const scalar behind = depth(wall, p, node);
-    scalar most = GREAT;
-
-    for (const plane& side : wall.beyond)
-    {
-        most = min(most, depth(side, p, node));
-    }
 
     // At an edge that stands out, by the shorter way
-    if (behind <= 0 || behind > most)
+    if (behind <= 0 || behind > depthBeyond(wall, p, node))
     {
         return false;
     }
