@@ -347,6 +347,7 @@ TEST(shapedDrag, namesWhatIsValid)
         "model Gansser; sphericity 0.7;", {"Gansser", "Ganser", "none"}
     );
     refuses("model Ganser;", {"sphericity"});
+    refuses("model Ganser; strength 0;", {"sphericity"});
     refuses("model Ganser; sphericty 0.8;", {"sphericty", "sphericity"});
     refuses
     (

@@ -160,7 +160,8 @@ void expectSpread()
     exchange.locate(phase);
 
     dictionary dict(settings("satellitePoints", "none"));
-    dict.add("largestSpread", scalar(1000));
+    // All of it at most, in however many rounds
+    dict.add("largestSpread", scalar(1));
     solidFractionField p(exchange, dict);
     p.update();
 

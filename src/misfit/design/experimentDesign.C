@@ -405,12 +405,20 @@ designOption withChannel
         option.gains.resize(with.namedIn.size());
         for (size_t k = 0; k < with.namedIn.size(); ++k)
         {
-            option.gains[k] += (with.namedIn[k] - without.namedIn[k])/n;
+            option.gains[k] += with.namedIn[k] - without.namedIn[k];
         }
-        option.before += without.share(without.named)/n;
-        option.after += with.share(with.named)/n;
+        option.before += without.share(without.named);
+        option.after += with.share(with.named);
         option.rows.append(with);
     }
+
+    // At the end: all of them are 1, and none of them 0, to the last bit
+    for (scalar& gain : option.gains)
+    {
+        gain /= n;
+    }
+    option.before /= n;
+    option.after /= n;
     return option;
 }
 
@@ -479,8 +487,9 @@ void Foam::misfit::checkStrengths
                 FatalIOErrorInFunction(dict)
                     << "In design, the strength " << strength << " is " << strength*c.strong
                     << " of the candidate " << c.name << ", and no fit goes beyond its upper, "
-                    << c.upper << ". Take " << strength << " out of strengths, or set upper "
-                    << strength*c.strong << "; in the candidate" << exit(FatalIOError);
+                    << c.upper << ". Take " << strength << " out of strengths; where the"
+                    << " case takes such a strength, set upper " << strength*c.strong
+                    << "; in the candidate" << exit(FatalIOError);
             }
         }
     }

@@ -63,8 +63,9 @@ void Foam::solidFractionField::update()
     share(false);
     solidFraction_ = mapping_.spread(mapping_.volumes());
     findFullest();
+    const scalarField before(solidFraction_);
     excess_.distribute(solidFraction_);
-    report();
+    report(before);
 }
 
 
@@ -108,8 +109,7 @@ void Foam::solidFractionField::reportSpread(const scalar share)
     const string where(fullest());
     OStringStream os;
     os  << 100*share << " % of the solid volume is spread over neighbouring cells"
-        << " (volume that moves on counts again), since the void fraction would"
-        << " be below the minimum of " << minimum_ << "." << nl
+        << ", since the void fraction would be below the minimum of " << minimum_ << "." << nl
         << "    " << where.c_str() << "." << nl;
     const string what(os.str());
     const char* const advice =
@@ -122,8 +122,8 @@ void Foam::solidFractionField::reportSpread(const scalar share)
     {
         FatalErrorInFunction
             << what.c_str() << advice << nl
-            << "    The forces there are no longer those of the flow. To go on,"
-            << " raise voidFraction/largestSpread above " << mostSpread_ << "."
+            << "    Forces then act in other cells than those of the grains. To go"
+            << " on, raise voidFraction/largestSpread above " << mostSpread_ << "."
             << exit(FatalError);
     }
 
@@ -134,7 +134,7 @@ void Foam::solidFractionField::reportSpread(const scalar share)
 }
 
 
-void Foam::solidFractionField::report()
+void Foam::solidFractionField::report(const scalarField& before)
 {
     if (excess_.left() > max(1e-3*minimum_, 2*warnedOf_))
     {
@@ -147,7 +147,9 @@ void Foam::solidFractionField::report()
 
     if (excess_.moved())
     {
-        const scalar share = excess_.volume()/mapping_.totalVolume();
+        // What goes from full cells to full cells changes none
+        const scalarField moved(mesh_.V().field()*mag(solidFraction_ - before));
+        const scalar share = 0.5*gSum(moved)/mapping_.totalVolume();
         Info<< "    grain volume spread over neighbouring cells, since the"
             << " void fraction would be below " << minimum_ << ": "
             << 100*share << " %" << endl;

@@ -333,8 +333,9 @@ void Foam::materialPointMethod::stopForBothSides
     FatalErrorInFunction
         << "The gate at " << gate.onPlane() << " m has points on both sides, and it"
         << " holds those of one; beyond it some are at " << at << " m." << nl
-        << "    Let the regions of the bodies end " << pointGate::reach
-        << " cellSize = " << pointGate::reach*grid_.h() << " m beyond the gate"
-        << " in constant/slidingGate, or put the gate elsewhere."
+        << "    Let the regions of the bodies end at the gate of"
+        << " constant/slidingGate, or begin " << pointGate::reach
+        << " cellSize = " << pointGate::reach*grid_.h() << " m beyond it; or put"
+        << " the gate elsewhere."
         << exit(FatalError);
 }

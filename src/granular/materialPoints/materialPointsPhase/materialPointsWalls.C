@@ -98,6 +98,31 @@ label openedSide
     return -1;
 }
 
+
+//- Fatal where a patch of outflow cannot let points out
+void checkOutflow
+(
+    const polyPatch& patch,
+    const wordRes& walls,
+    const dictionary& dict
+)
+{
+    const char* reason =
+        patch.coupled() ? "the mesh repeats there, or goes on on another rank"
+      : materialPointsWalls::isWall(patch, walls) ? "it is a wall that holds them"
+      : !returnReduce(patch.size(), sumOp<label>()) ? "it has no faces"
+      : nullptr;
+
+    if (reason)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Points cannot leave through patch " << patch.name()
+            << " of outflow: " << reason << "." << nl
+            << "    Leave it out of outflow; or make it of type patch in the mesh,"
+            << " with faces, and no part of walls/patches." << exit(FatalIOError);
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -235,6 +260,7 @@ void Foam::materialPointsWalls::open
             continue;
         }
 
+        checkOutflow(patch, walls, dict);
         const label side = openedSide(mesh, patch, outflow);
         if (side >= 0)
         {

@@ -55,7 +55,7 @@ void Foam::pointGate::apply(nodeLanes& nodes) const
         lanes& node = nodes[held.node];
         const scalar inwards = (node*normalLanes_).sum();
 
-        if (held.height >= edge_ && node[0] > 0 && inwards < 0)
+        if (held.height >= edge_ - little*grid_.h() && node[0] > 0 && inwards < 0)
         {
             node -= inwards*normalLanes_;
         }

@@ -62,9 +62,9 @@ Foam::shapedDrag::shapedDrag
     ),
     sphericity_
     (
-        shape_.isOn()
-      ? dict.get<scalar>("sphericity")
-      : dict.getOrDefault<scalar>("sphericity", 1)
+        dict.get<word>("model") == "none"
+      ? dict.getOrDefault<scalar>("sphericity", 1)
+      : dict.get<scalar>("sphericity")
     ),
     crosswiseSphericity_
     (
