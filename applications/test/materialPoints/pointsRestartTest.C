@@ -184,13 +184,14 @@ TEST(materialPointsPhase, aGateHoldsTheSameSideAfterARestart)
     testMesh box(slice());
     const Time& time = box.time();
     mkDir(time.path()/time.constant());
+    const auto putGate = [&](const char* place)
     {
         OFstream os(time.path()/time.constant()/"slidingGate");
         os  << "FoamFile { version 2.0; format ascii; class dictionary;"
-            << " object slidingGate; }" << nl
-            << "point (0.1 0 0); normal (1 0 0);"
+            << " object slidingGate; }" << nl << "point " << place << "; normal (1 0 0);"
             << " speed table ((0 40) (0.01 40) (0.011 0) (1 0));" << nl;
-    }
+    };
+    putGate("(0.1 0 0)");
     const string here("box ((0 0 0) (0.1 1 0.3));");
     auto whole = points(box.mesh(), here);
     const scalar interval = whole->exchangeInterval();
@@ -232,6 +233,13 @@ TEST(materialPointsPhase, aGateHoldsTheSameSideAfterARestart)
         second->advance();
     }
     EXPECT_EQ(furthest(*whole, *second), 0);
+
+    // Another gate, with most of the points on its other side
+    second->checkOut();
+    putGate("(0.05 0 0)");
+    auto third = points(box.mesh(), here);
+    ASSERT_TRUE(third->restarted());
+    EXPECT_EQ(side(*third), 1);
 }
 
 

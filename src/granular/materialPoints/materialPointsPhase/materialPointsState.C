@@ -132,6 +132,10 @@ bool Foam::materialPointsPhase::writeState(const fileName& folder)
         {
             os.precision(17);
             os  << ' ' << method_.gateSide() << ' ' << now_;
+            for (const vector& v : {gate_.onPlane(), gate_.normal()})
+            {
+                os  << ' ' << v.x() << ' ' << v.y() << ' ' << v.z();
+            }
         }
         os  << '\n';
 
@@ -168,9 +172,20 @@ void Foam::materialPointsPhase::readGate(std::istream& numbers)
 {
     label side = 0;
     scalar time = 0;
-    if (numbers >> side >> time)
+    vector p(Zero);
+    vector normal(Zero);
+    if
+    (
+        gate_.exists()
+     && numbers >> side >> time >> p.x() >> p.y() >> p.z()
+     && numbers >> normal.x() >> normal.y() >> normal.z()
+    )
     {
-        gateSide_ = side;
+        // Of a gate in another place the side is found anew
+        const bool same =
+            mag(p - gate_.onPlane()) < 1e-9*(1 + mag(p))
+         && mag(normal - gate_.normal()) < 1e-9;
+        gateSide_ = same ? side : 0;
 
         // The same bits as without a stop; a state may also begin another run
         if (mag(time - now_) < 1e-3*exchangeInterval())
