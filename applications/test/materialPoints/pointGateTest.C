@@ -55,6 +55,17 @@ struct hopper
         return x - 0.4;
     }
 
+    //- Mean distance of the points from the wall behind them [m]
+    scalar mean() const
+    {
+        scalar sum = 0;
+        for (const point& p : points.points().x)
+        {
+            sum += p.x();
+        }
+        return sum/points.points().size();
+    }
+
     scalar highestBeyond() const
     {
         scalar z = 0;
@@ -81,6 +92,10 @@ TEST(pointGate, aClosedGateHoldsAllPointsWhicheverWayItsNormal)
 
             testNumber("furthest beyond the closed gate [m]", behind.furthest());
             EXPECT_LT(behind.furthest(), 1e-6);
+
+            // As a wall would: they do not pile up on it either
+            testNumber("mean distance from the wall behind [m]", behind.mean());
+            EXPECT_NEAR(behind.mean(), 0.2, 0.002);
         }
     }
 
