@@ -28,7 +28,7 @@ scalar residualOfFullCells(const string& smoothing)
     exchange.locate(phase);
     solidFractionField solids
     (
-        exchange, entries("minimum 0.7; smoothing { " + smoothing + " }")
+        exchange, entries("minimum 0.7; largestSpread 1; smoothing { " + smoothing + " }")
     );
     solids.update();
     EXPECT_GT(solids.excess().volume(), 0.5*solids.mapping().totalVolume());

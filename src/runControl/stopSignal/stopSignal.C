@@ -20,6 +20,8 @@ namespace
 
 Foam::stopSignal::stopSignal()
 {
+    caught = 0;
+
     for (const int number : {SIGUSR1, SIGTERM, SIGINT})
     {
         std::signal(number, note);
