@@ -113,7 +113,7 @@ TEST(pointGate, pointsPassBelowItsEdgeAlone)
     drawn.points.run(0.3);
 
     testNumber("highest point beyond, edge at 0.14 m [m]", drawn.highestBeyond());
-    EXPECT_GT(drawn.furthest(), 0.1);
+    EXPECT_GT(drawn.furthest(), 0.05);
     EXPECT_LT(drawn.highestBeyond(), 0.14);
 }
 
