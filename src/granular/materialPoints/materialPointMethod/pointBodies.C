@@ -253,7 +253,6 @@ void Foam::materialPointMethod::place
 }
 
 
-
 void Foam::materialPointMethod::addGate
 (
     const point& onPlane,

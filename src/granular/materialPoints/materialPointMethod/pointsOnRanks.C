@@ -168,17 +168,31 @@ void Foam::materialPointMethod::stopFor
 }
 
 
+namespace
+{
+    //- Give one of the walls its faces
+    void addFaces
+    (
+        Foam::pointWalls& walls,
+        const Foam::label wall,
+        const Foam::UList<Foam::pointField>& faces
+    )
+    {
+        for (const Foam::pointField& face : faces)
+        {
+            walls.addFace(wall, face);
+        }
+    }
+}
+
+
 void Foam::materialPointMethod::addOutlet
 (
     const word& name,
     const UList<pointField>& faces
 )
 {
-    const label outlet = outlets_.addOutlet(name);
-    for (const pointField& face : faces)
-    {
-        outlets_.addFace(outlet, face);
-    }
+    addFaces(outlets_, outlets_.addOutlet(name), faces);
     hasOutlets_ = true;
 }
 
@@ -189,11 +203,7 @@ void Foam::materialPointMethod::addWallBesideOutlets
     const UList<pointField>& faces
 )
 {
-    const label wall = outlets_.add(name, 0);
-    for (const pointField& face : faces)
-    {
-        outlets_.addFace(wall, face);
-    }
+    addFaces(outlets_, outlets_.add(name, 0), faces);
 }
 
 
