@@ -240,6 +240,53 @@ TEST(misfitRuns, aRunThatIsStoppedTellsThatItIsGoneOnWith)
 }
 
 
+TEST(misfitRuns, aRunThatWasCutShortInItsSolverGoesOn)
+{
+    const std::string later("startFrom latestTime; endTime 2;\n");
+    const auto mark = [](const fakeCase& c)
+    {
+        const fileName runs(c.folder()/"misfit/runs");
+        const fileName run(runs/readDir(runs, fileName::DIRECTORY).first());
+        rm(run/"finished");
+        writeWhole(run/"case/state", "1 s\n");
+        return run;
+    };
+    struct cutShort
+    {
+        std::string control;
+        std::string extra;
+        bool goesOn;
+    };
+    for (const cutShort& run :
+        {
+            cutShort{later, "", true},
+            cutShort{"endTime 2;\n", "", true},
+            cutShort{"startFrom startTime; endTime 2;\n", "", false},
+            cutShort{later, "ranks", false},
+            cutShort{later, "programs", false},
+            cutShort{later, "commands", false}
+        })
+    {
+        const fakeCase c;
+        c.write("system/controlDict", run.control);
+        once(c, {withSlope(2)});
+        const fileName folder(mark(c));
+        if (run.extra == "ranks")
+        {
+            rm(folder/"ranks");
+        }
+        else if (run.extra.size())
+        {
+            writeWhole(folder/run.extra, "others\n");
+        }
+        const std::string output(outputDuring([&]() { once(c, {withSlope(2)}); }));
+        EXPECT_EQ(isFile(folder/"case/state"), run.goesOn) << run.control << run.extra;
+        EXPECT_EQ(output.find("1 were cut short") != std::string::npos, run.goesOn);
+        EXPECT_EQ(c.count(), 2);
+    }
+}
+
+
 TEST(misfitRuns, aCrashIsKeptWithItsReason)
 {
     const fakeCase c;
@@ -316,6 +363,11 @@ TEST(misfitRuns, aRunWhoseEndCouldNotBeWrittenIsNoResult)
     EXPECT_EQ(c.count(), 2);
 
     rm(c.folder()/"full");
+    const fileName runs(c.folder()/"misfit/runs");
+    for (const fileName& run : readDir(runs, fileName::DIRECTORY))
+    {
+        rmDir(runs/run/"finished.new", true);
+    }
     const auto p(once(c, {withSlope(2), withSlope(6)}));
     EXPECT_TRUE(p[0].ok() && p[1].ok());
     EXPECT_EQ(p[1].channels[0].y, scalarList({0, 6, 12}));
@@ -467,9 +519,10 @@ TEST(misfitRuns, aRunBeyondItsTimeHasFailed)
 }
 
 
-TEST(misfitRuns, aRunThatWasCutShortIsDoneAnew)
+TEST(misfitRuns, aRunThatBeginsAtItsStartIsDoneAnew)
 {
     const fakeCase c;
+    c.write("system/controlDict", "startFrom startTime; endTime 2;\n");
     once(c, {withSlope(2)});
     const fileName runs(c.folder()/"misfit/runs");
     for (const fileName& run : readDir(runs, fileName::DIRECTORY))

@@ -80,6 +80,29 @@ TEST(misfitTables, aTimeAtWhichNothingIsWrittenIsTold)
 }
 
 
+TEST(misfitTables, rowsOfALaterStartReplaceThoseBefore)
+{
+    const fakeCase c;
+    const std::string out("postProcessing/out/");
+    for (const char* start : {"0", "1"})
+    {
+        mkDir(c.folder()/out/start);
+    }
+    c.write(out + "0/out.dat", "# Time y\n0 1\n1 1\n1.2 1\n2 1\n");
+    c.write(out + "1/out.dat", "# Time y\n1.5 2\n2 2\n3 2\n");
+
+    // A second start at 1 s, as OpenFOAM names its file
+    c.write(out + "1/out_1.dat", "# Time y\n1.5 3\n2 3\n");
+
+    // A start at the end writes no row
+    mkDir(c.folder()/out/"2");
+    c.write(out + "2/out.dat", "# Time y\n");
+    const numberTable t(writtenTable(c.folder(), "out", "out.dat"));
+    EXPECT_EQ(t.column(0), scalarList({0, 1, 1.5, 2}));
+    EXPECT_EQ(t.column(1), scalarList({1, 1, 3, 3}));
+}
+
+
 TEST(misfitTables, aHeightThatIsMoreThanTheMeshIsRefused)
 {
     testMesh m;

@@ -115,6 +115,32 @@ void addWritten(numberTable& t, const fileName& file)
 }
 
 
+//- Appends what a start at that time [s] wrote, in place of the rows after it. The row of
+//  the start itself stays unless it was written again
+void addRestarted(numberTable& t, const scalar start, const fileName& file)
+{
+    numberTable later;
+    addWritten(later, file);
+    scalar from = start + 1e-6*mag(start) + VSMALL;
+    if (later.rows.size())
+    {
+        from = min(from, later.rows[0][0]);
+    }
+
+    label kept = t.rows.size();
+    while (kept && t.rows[kept-1][0] >= from)
+    {
+        --kept;
+    }
+    t.rows.resize(kept);
+    t.lines.resize(kept);
+    t.rows.append(later.rows);
+    t.lines.append(later.lines);
+    t.names = later.names;
+    t.notFound = t.notFound || later.notFound;
+}
+
+
 //- The times of which a function object wrote folders, in their order
 instantList timesIn(const fileName& folder)
 {
@@ -276,14 +302,17 @@ Foam::misfit::numberTable Foam::misfit::writtenTable
     t.file = caseFolder/"postProcessing"/functionObject;
     for (const instant& start : timesIn(t.file))
     {
-        label kept = t.rows.size();
-        while (kept && t.rows[kept-1][0] >= start.value())
+        // Where a run starts twice at one time, OpenFOAM puts that time into the name
+        // of the second file (functionObjects::writeFile::createFile)
+        const fileName first(t.file/start.name()/file);
+        const fileName again(first.lessExt() + '_' + start.name() + ".dat");
+        for (const fileName& written : {first, again})
         {
-            --kept;
+            if (isFile(written, false))
+            {
+                addRestarted(t, start.value(), written);
+            }
         }
-        t.rows.resize(kept);
-        t.lines.resize(kept);
-        addWritten(t, t.file/start.name()/file);
     }
     return withNumbers(t, t.file/"*"/file);
 }

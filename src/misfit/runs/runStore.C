@@ -5,8 +5,10 @@
 #include "programFiles.H"
 #include "textFile.H"
 
+#include "IFstream.H"
 #include "OSspecific.H"
 #include "SHA1.H"
+#include "Time.H"
 
 #include <algorithm>
 #include <csignal>
@@ -118,6 +120,35 @@ Foam::word Foam::misfit::runStore::name(const runRequest& run) const
 }
 
 
+Foam::string Foam::misfit::runStore::commandLines() const
+{
+    string lines;
+    for (const string& c : commands_)
+    {
+        lines += c + '\n';
+    }
+    return lines;
+}
+
+
+bool Foam::misfit::runStore::canContinue(const word& name) const
+{
+    const fileName target(folder_/name);
+    if
+    (
+        isFile(target/"finished", false)
+     || !isFile(target/"ranks", false)
+     || contentOf(target/"commands") != commandLines()
+     || contentOf(target/"programs") != programFiles(commands_, folder_/"run"/"case")
+    )
+    {
+        return false;
+    }
+    IFstream is(target/"case"/"system"/Time::controlDictName);
+    return dictionary(is).getOrDefault<word>("startFrom", "latestTime") == "latestTime";
+}
+
+
 void Foam::misfit::runStore::prepare
 (
     const word& name,
@@ -143,13 +174,8 @@ void Foam::misfit::runStore::prepare
     }
 
     writeWhole(target/"about", run.description + '\n');
-    string lines;
-    for (const string& c : commands_)
-    {
-        lines += c + '\n';
-    }
     writeWhole(target/"programs", programFiles(commands_, folder_/"run"/"case"));
-    writeWhole(target/"commands", lines);
+    writeWhole(target/"commands", commandLines());
 }
 
 
@@ -334,13 +360,21 @@ void Foam::misfit::runStore::finish(const List<runRequest>& runs)
 
     wordHashSet todo;
     label failed = 0;
+    label continued = 0;
     for (const runRequest& run : runs)
     {
-        if (!isFinished(run) && todo.insert(name(run)))
+        const word runName(name(run));
+        if (isFinished(run) || !todo.insert(runName))
         {
-            failed += isFile(folder_/name(run)/"finished", false);
-            prepare(name(run), run);
+            continue;
         }
+        if (canContinue(runName))
+        {
+            ++continued;
+            continue;
+        }
+        failed += isFile(folder_/runName/"finished", false);
+        prepare(runName, run);
     }
     if (todo.empty())
     {
@@ -353,6 +387,11 @@ void Foam::misfit::runStore::finish(const List<runRequest>& runs)
     {
         Info<< "    Of these runs, " << failed << " failed in an earlier call and"
             << " are tried again" << endl;
+    }
+    if (continued)
+    {
+        Info<< "    Of these runs, " << continued << " were cut short in an earlier"
+            << " call and go on" << endl;
     }
     make(todo);
 }
