@@ -34,7 +34,7 @@ json rival(const finding& f, const scalar clockUncertainty)
     );
     return each(f.held(), [&](const heldOut& h) -> json
     {
-        const whitener white(covariance(h.data, clockUncertainty).at(h.before));
+        const whitener white(h.covariance);
         const vec left = h.data.y - h.before;
         const scalar n = h.data.size();
         return

@@ -58,37 +58,6 @@ vec spread(const List<series>& grids, const mat& runs)
     return variance;
 }
 
-
-//- A candidate that is on in a state and with which each run in its experiment failed: the
-//  surface knows nothing of it. Empty: none
-word candidateThatFails
-(
-    const runState& s,
-    const List<candidate>& candidates,
-    const List<runState>& states,
-    const List<prediction>& runs
-)
-{
-    for (const candidate& c : candidates)
-    {
-        bool fails = false;
-        bool ran = s.strengths.lookup(c.name, 0) <= 0;
-        for (label i = 0; i < states.size() && !ran; ++i)
-        {
-            const bool on =
-                states[i].experiment == s.experiment
-             && states[i].strengths.lookup(c.name, 0) > 0;
-            ran = on && runs[i].ok();
-            fails = fails || on;
-        }
-        if (fails && !ran)
-        {
-            return c.name;
-        }
-    }
-    return word();
-}
-
 } // End anonymous namespace
 
 
@@ -129,6 +98,31 @@ Foam::misfit::emulatedPredictor::surfaceRuns(const word& experiment) const
         }
     }
     return some;
+}
+
+
+Foam::wordList
+Foam::misfit::emulatedPredictor::failingCandidates(const word& experiment) const
+{
+    wordList failing;
+    for (const candidate& c : candidates_)
+    {
+        label failed = 0;
+        label ran = 0;
+        forAll(states_, i)
+        {
+            const bool on =
+                states_[i].experiment == experiment
+             && states_[i].strengths.lookup(c.name, 0) > 0;
+            ran += on && runs_[i].ok();
+            failed += on && !runs_[i].ok();
+        }
+        if (failed && !ran)
+        {
+            failing.append(c.name);
+        }
+    }
+    return failing;
 }
 
 
@@ -178,11 +172,13 @@ Foam::misfit::emulatedPredictor::emulated(const runState& s) const
         p.failure = "the training ensemble has no experiment " + s.experiment;
         return p;
     }
-    const word failing(candidateThatFails(s, candidates_, states_, runs_));
-    if (failing.size())
+    for (const word& name : failing_.lookup(s.experiment, wordList()))
     {
-        p.failure = "each run of the training ensemble with " + failing + " failed";
-        return p;
+        if (s.strengths.lookup(name, 0) > 0)
+        {
+            p.failure = "each run of the training ensemble with " + name + " failed";
+            return p;
+        }
     }
     const emulator& e = position->second;
     vec y = (*e.surface)(variables(s));
@@ -248,6 +244,7 @@ Foam::misfit::emulatedPredictor::emulatedPredictor
         if (runs[i].ok() && !emulators_.count(experiment))
         {
             emulators_.emplace(experiment, build(experiment));
+            failing_.insert(experiment, failingCandidates(experiment));
         }
     }
 }

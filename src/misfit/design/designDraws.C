@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Draws of simulated recordings, each diagnosed as a real one.
+
+#include "designDraws.H"
+#include "diagnosis.H"
+#include "parallelWork.H"
+#include "words.H"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+//- No words on the terminal while it exists
+class silence
+{
+    const int before_ = messageStream::level;
+
+public:
+
+    silence()
+    {
+        messageStream::level = 0;
+    }
+
+    ~silence()
+    {
+        messageStream::level = before_;
+    }
+};
+
+
+//- Candidates with which at least one run of the sensitivities ended
+labelList runningCandidates(sampler& ask, const settings& set)
+{
+    const study s(ask, set);
+    labelList some;
+    forAll(set.candidates, m)
+    {
+        List<runState> states;
+        for (const vec& x : s.sensitivityDesign(s.bounds.centre, {int(m)}))
+        {
+            states.append(s.state(x));
+        }
+        for (const runState& one : ask.trainingEnsemble())
+        {
+            if (one.strengths.lookup(set.candidates[m].name, 0) > 0)
+            {
+                states.append(one);
+            }
+        }
+        const List<samples> given(ask(states));
+        if (std::any_of(given.begin(), given.end(), [](const samples& g) { return g.ok(); }))
+        {
+            some.append(m);
+        }
+    }
+    return some;
+}
+
+} // End anonymous namespace
+
+
+Foam::wordList Foam::misfit::possibleChannels
+(
+    const allChannels& all,
+    const wordList& recorded
+)
+{
+    wordList names;
+    forAll(all.uses(), i)
+    {
+        const word name(all.data().segments[i].name, false);
+        if (!recorded.found(name) && all.uses()[i] != purpose::validation)
+        {
+            names.append(name);
+        }
+    }
+    return names;
+}
+
+
+std::string Foam::misfit::designDraws::answer
+(
+    const simulatedRecordings& recordings,
+    const simulatedCause& c,
+    const wordList& channels,
+    const label draw
+) const
+{
+    const silence quiet;
+    const scalar strength =
+        c.mechanism < 0 ? 0 : c.strength*set_.candidates[c.mechanism].strong;
+    channelSelection some
+    (
+        ask_, recordings.all(), recordings(c.mechanism, strength, draw), channels, true
+    );
+    const finding f(diagnose(some, set_));
+    std::ostringstream os;
+    os << f.tests.gates.passed(gateKind::detection) << ' ' << verdictNames[f.verdict.kind]
+        << ' ' << f.verdict.confidence;
+    if (f.verdict.kind == verdictKind::set)
+    {
+        // Each member by its mechanisms or its channel
+        for (const hypothesisFit& w : f.verdict.alternatives)
+        {
+            os << ' '
+                << (w.what.fault ? w.what.fault->channel : describe(w.what.known(), f.library));
+            os << ';';
+        }
+    }
+    else
+    {
+        os << ' ' << joined(f.verdict.names, " and ") << ';';
+    }
+    return os.str();
+}
+
+
+void Foam::misfit::designDraws::count(designRow& row, const std::string& answer) const
+{
+    std::istringstream is(answer);
+    bool detected = false;
+    std::string verdict;
+    scalar confidence = 0;
+    is >> detected >> verdict >> confidence;
+    bool has = false;
+    for (std::string member; std::getline(is, member, ';');)
+    {
+        const word name(member.substr(std::min<size_t>(1, member.size())), false);
+        has = has || (name.size() && name == row.mechanism);
+        if (name.size() && name != row.mechanism)
+        {
+            ++row.others[name];
+        }
+    }
+    const bool right = has && row.mechanism.size();
+    const bool blames = verdict != "none" && verdict != "unknown";
+    ++row.draws;
+    row.detected += detected;
+    row.named += verdict == "named" && right;
+    row.inSet += verdict == "set" && right;
+    row.wrong += blames && !right;
+    row.none += verdict == "none";
+    row.unknown += verdict == "unknown";
+    row.namedIn.push_back(verdict == "named" && right);
+    const bool isTrue = row.mechanism.empty() ? verdict == "none" : blames && right;
+    row.confidences += confidence;
+    row.squares += sqr(confidence - isTrue);
+}
+
+
+void Foam::misfit::designDraws::printProgress(const designRow& row)
+{
+    ++nDone_;
+    const scalar left = timer_.elapsedTime()/nDone_*max(nRows_ - nDone_, label(0));
+    Info<< "    " << nDone_ << " of " << nRows_ << ": "
+        << (row.mechanism.empty() ? word("nothing") : row.mechanism) << ' ' << row.strength
+        << ", repeats " << row.repeats << ": named " << row.named << " of " << row.draws
+        << "; about " << std::ceil(left/60) << " min left" << endl;
+}
+
+
+Foam::misfit::designDraws::designDraws
+(
+    sampler& ask,
+    const settings& set,
+    const designSettings& design,
+    const label jobs
+)
+:
+    ask_(ask),
+    set_(withoutCorrection(set)),
+    design_(design),
+    jobs_(jobs),
+    running_(runningCandidates(ask, set)),
+    nRows_
+    (
+        design.repeats.size()*(1 + running_.size()*design.strengths.size())
+      + running_.size()
+       *possibleChannels(allChannels(ask.data().first(), 1), design.channels).size()
+    )
+{}
+
+
+std::vector<Foam::misfit::simulatedCause> Foam::misfit::designDraws::causes() const
+{
+    std::vector<simulatedCause> all({{-1, 0}});
+    for (const label m : running_)
+    {
+        for (const scalar strength : design_.strengths)
+        {
+            all.push_back({m, strength});
+        }
+    }
+    return all;
+}
+
+
+Foam::misfit::designRow Foam::misfit::designDraws::row
+(
+    const simulatedRecordings& recordings,
+    const simulatedCause& c,
+    const wordList& channels,
+    const label repeats
+)
+{
+    designRow row;
+    row.mechanism = c.mechanism < 0 ? word() : set_.candidates[c.mechanism].name;
+    row.strength = c.strength;
+    row.repeats = repeats;
+    const auto work = [&](const label draw)
+    {
+        return answer(recordings, c, channels, draw);
+    };
+    for (const std::string& one : inProcesses(design_.draws, jobs_, work))
+    {
+        count(row, one);
+    }
+    printProgress(row);
+    return row;
+}
