@@ -178,7 +178,7 @@ void Foam::gateMotion::findExtents()
 }
 
 
-Foam::scalar Foam::gateMotion::drawn(const scalar t) const
+Foam::scalar Foam::gateMotion::travel(const scalar t) const
 {
     return
         t > start_ && exists_

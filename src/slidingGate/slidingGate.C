@@ -46,7 +46,7 @@ Foam::slidingGate::slidingGate(const fvMesh& mesh, const dictionary& dict)
 
     const labelList& faces = motion_.faces();
     Info<< "Gate: " << returnReduce(faces.size(), sumOp<label>())
-        << " faces, drawn " << drawn(mesh.time().value()) << " m" << nl
+        << " faces, drawn " << travel(mesh.time().value()) << " m" << nl
         << endl;
 }
 

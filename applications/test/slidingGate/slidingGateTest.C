@@ -190,8 +190,8 @@ TEST(slidingGate, StrengthStretchesTheTimeOfOpening)
     dict.add("strength", 0.5);
     slidingGate gate(m.mesh(), dict);
 
-    EXPECT_EQ(gate.drawn(0.9), 0);
-    EXPECT_NEAR(gate.drawn(1.1), 0.4, 1e-12);
+    EXPECT_EQ(gate.travel(0.9), 0);
+    EXPECT_NEAR(gate.travel(1.1), 0.4, 1e-12);
 }
 
 
@@ -204,8 +204,8 @@ TEST(slidingGate, SpeedCanBeATable)
     dict.read(text);
     slidingGate gate(m.mesh(), dict);
 
-    EXPECT_NEAR(gate.drawn(0.05), 0.025, 1e-12);
-    EXPECT_NEAR(gate.drawn(0.2), 0.3, 1e-12);
+    EXPECT_NEAR(gate.travel(0.05), 0.025, 1e-12);
+    EXPECT_NEAR(gate.travel(0.2), 0.3, 1e-12);
 }
 
 

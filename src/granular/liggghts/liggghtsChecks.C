@@ -73,6 +73,18 @@ namespace
         point at = Zero;
     };
 
+    Ostream& operator<<(Ostream& os, const overlap& o)
+    {
+        return
+            os  << o.share << token::SPACE << o.ids[0] << token::SPACE << o.ids[1]
+                << token::SPACE << o.at;
+    }
+
+    Istream& operator>>(Istream& is, overlap& o)
+    {
+        return is >> o.share >> o.ids[0] >> o.ids[1] >> o.at;
+    }
+
     //- The deepest of this rank's list of neighbours
     overlap deepestOverlap
     (
@@ -262,29 +274,22 @@ void Foam::liggghtsChecks::overlaps
         return;
     }
 
-    const overlap mine(deepestOverlap(*liggghts->atom, *pair->list));
-
-    // Over the smaller radius, two numbers of grains, place of one
-    List<FixedList<scalar, 6>> deepest(Pstream::nProcs());
-    deepest[Pstream::myProcNo()] = FixedList<scalar, 6>
-    ({
-        mine.share, scalar(mine.ids[0]), scalar(mine.ids[1]),
-        mine.at.x(), mine.at.y(), mine.at.z()
-    });
+    List<overlap> deepest(Pstream::nProcs());
+    deepest[Pstream::myProcNo()] = deepestOverlap(*liggghts->atom, *pair->list);
     Pstream::gatherList(deepest);
-    FixedList<scalar, 6> worst(deepest[0]);
-    for (const FixedList<scalar, 6>& there : deepest)
+    overlap worst;
+    for (const overlap& there : deepest)
     {
-        worst = there[0] > worst[0] ? there : worst;
+        worst = there.share > worst.share ? there : worst;
     }
 
-    if (Pstream::master() && worst[0] > 0.2)
+    if (Pstream::master() && worst.share > 0.2)
     {
         WarningInFunction
             << "Grains overlap at the start of " << script << ": grains "
-            << label(worst[1]) << " and " << label(worst[2]) << " by "
-            << worst[0] << " of the smaller radius, at "
-            << point(worst[3], worst[4], worst[5]) << " m." << nl
+            << worst.ids[0] << " and " << worst.ids[1] << " by "
+            << worst.share << " of the smaller radius, at "
+            << worst.at << " m." << nl
             << "    They will be driven apart at once, and fast. Move them, or"
             << " let preparePacking place them; where they are meant to be"
             << " one heap, settle it first." << nl << endl;

@@ -14,7 +14,7 @@ namespace
 
     //- A number from -1 to 1 that belongs to a seed, a point and an axis, the same on
     //  any machine and number of ranks (splitmix64)
-    scalar scattered(const label seed, const label id, const label axis)
+    scalar randomOffset(const label seed, const label id, const label axis)
     {
         const std::uint64_t number = (std::uint64_t(seed) << 32) + std::uint64_t(id);
         std::uint64_t x = 0x9e3779b97f4a7c15u*(3*number + axis + 1);
@@ -236,7 +236,7 @@ void Foam::materialPointMethod::place
                 ++id;
                 for (label a = 0; seed && a < grid_.nDims(); ++a)
                 {
-                    p[grid_.axes()[a]] += scatter*spacing*scattered(seed, id, a);
+                    p[grid_.axes()[a]] += scatter*spacing*randomOffset(seed, id, a);
                 }
                 addPoint(id, body, p, U, volume);
             }

@@ -12,25 +12,25 @@ namespace
 
     //- Share of its room by which a node may be overfilled: the sums over the
     //  points of a sheared packing differ by as much
-    constexpr scalar tolerated = 0.05;
+    constexpr scalar overfillTolerance = 0.05;
 
     //- Length of a shift over the gradient of what is too much, in h^2 [-].
     //  Ten times as much is still stable
     constexpr scalar strength = 2;
 
     //- Longest shift, in spacings
-    constexpr scalar longest = 0.1;
+    constexpr scalar maxShift = 0.1;
 
     //- Places along each direction at which a cell at a wall is probed
     constexpr label nSamples = 8;
 }
 
 
-Foam::scalar Foam::materialPointMethod::occupied(const label i) const
+Foam::scalar Foam::materialPointMethod::occupiedVolume(const label i) const
 {
     // A point that flew apart from others may have grown without opening a pore
     // between them: loose, it takes no more room than when it closes
-    const scalar closes = laws_[points_.body[i]].looseBelow();
+    const scalar closes = laws_[points_.body[i]].looseDensity();
     const scalar volume = points_.volume[i];
     return closes > 0 ? min(volume, points_.mass[i]/closes) : volume;
 }
@@ -151,7 +151,7 @@ void Foam::materialPointMethod::findCrowding()
     {
         splineStencil<D>(grid_, points_.x[i]).add
         (
-            crowding_[fieldOf(i)], lanes(occupied(i), 0, 0, 0), flat
+            crowding_[fieldOf(i)], lanes(occupiedVolume(i), 0, 0, 0), flat
         );
     }
     share(crowding_);
@@ -163,7 +163,7 @@ void Foam::materialPointMethod::findCrowding()
             scalar& crowding = ofBody[node][0];
             crowding =
                 room_[node] > 0
-              ? max(crowding/room_[node] - 1 - tolerated, scalar(0))
+              ? max(crowding/room_[node] - 1 - overfillTolerance, scalar(0))
               : 0;
             crowded_ = crowded_ || crowding > 0;
         }
@@ -188,7 +188,7 @@ Foam::vector Foam::materialPointMethod::shift
         result[grid_.axes()[k]] = -4*strength*grid_.h()*moment[k][0];
     }
 
-    const scalar most = longest*grid_.h();
+    const scalar most = maxShift*grid_.h();
     const scalar length = mag(result);
     return length > most ? most/length*result : result;
 }

@@ -228,7 +228,7 @@ bool Foam::materialPointMethod::hasLeft
 }
 
 
-bool Foam::materialPointMethod::takeOutside(const label i)
+bool Foam::materialPointMethod::passBoundary(const label i)
 {
     // Before it repeats: faces are around the cell that it came from
     const bool left = hasLeft(points_.x[i], cell_[i]);
@@ -261,7 +261,7 @@ void Foam::materialPointMethod::travel()
 
     forAll(points_.x, i)
     {
-        const bool left = takeOutside(i);
+        const bool left = passBoundary(i);
         const label rank =
             grid_.cut()
           ? grid_.rankOf(pointGrid::cell(grid_.coordinate(points_.x[i], 0)))

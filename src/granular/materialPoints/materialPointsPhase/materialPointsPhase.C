@@ -227,14 +227,14 @@ void Foam::materialPointsPhase::closeGate()
         return;
     }
 
-    const bool closed = gate_.drawn(now_) <= 0;
+    const bool closed = gate_.travel(now_) <= 0;
     method_.addGate
     (
         gate_.onPlane(), gate_.normal(), gate_.direction(), gate_.edge(now_),
         closed, gateSide_
     );
     Info<< "    gate of constant/slidingGate at " << gate_.onPlane()
-        << " m holds points, drawn " << gate_.drawn(now_) << " m" << endl;
+        << " m holds points, drawn " << gate_.travel(now_) << " m" << endl;
 }
 
 

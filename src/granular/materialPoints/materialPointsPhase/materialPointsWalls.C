@@ -40,11 +40,11 @@ bool liesIn(const boundBox& bounds, const boundBox& box, const label side)
 {
     const direction d = side/2;
     const scalar at = (side % 2 ? box.max() : box.min())[d];
-    const scalar little = 1e-6*box.mag();
+    const scalar tolerance = 1e-6*box.mag();
 
     return
-        mag(bounds.min()[d] - at) < little
-     && mag(bounds.max()[d] - at) < little;
+        mag(bounds.min()[d] - at) < tolerance
+     && mag(bounds.max()[d] - at) < tolerance;
 }
 
 

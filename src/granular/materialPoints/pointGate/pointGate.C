@@ -6,7 +6,7 @@
 namespace
 {
     //- A length that is none, in spacings
-    constexpr Foam::scalar little = 1e-6;
+    constexpr Foam::scalar tolerance = 1e-6;
 }
 
 
@@ -40,7 +40,7 @@ void Foam::pointGate::findNodes()
         const point p(grid_.position(node));
         const scalar behind = -distance(p)/grid_.h();
 
-        if (behind > -little && behind < reach - little)
+        if (behind > -tolerance && behind < reach - tolerance)
         {
             held_.push_back({node, p & direction_});
         }
@@ -55,7 +55,7 @@ void Foam::pointGate::apply(nodeLanes& nodes) const
         lanes& node = nodes[held.node];
         const scalar inwards = (node*normalLanes_).sum();
 
-        if (held.height >= edge_ - little*grid_.h() && node[0] > 0 && inwards < 0)
+        if (held.height >= edge_ - tolerance*grid_.h() && node[0] > 0 && inwards < 0)
         {
             node -= inwards*normalLanes_;
         }
@@ -66,7 +66,7 @@ void Foam::pointGate::apply(nodeLanes& nodes) const
 void Foam::pointGate::putBack(point& p, const point& from) const
 {
     const scalar now = distance(p);
-    const bool passed = now < 0 && distance(from) >= -little*grid_.h();
+    const bool passed = now < 0 && distance(from) >= -tolerance*grid_.h();
 
     if (passed && stands(p))
     {

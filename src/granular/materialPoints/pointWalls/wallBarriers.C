@@ -27,7 +27,7 @@ Foam::pointWalls::facetsAround() const
 
 bool Foam::pointWalls::parallel(const plane& a, const plane& b)
 {
-    return (a.normal*b.normal).sum() > 1 - little;
+    return (a.normal*b.normal).sum() > 1 - tolerance;
 }
 
 
@@ -59,8 +59,8 @@ Foam::DynamicList<Foam::label> Foam::pointWalls::beyondEdges
 
             if
             (
-                (way & f.normal) < -little*mag(way)
-             && mag(nearest(f, corner) - corner) < little*grid_.h()
+                (way & f.normal) < -tolerance*mag(way)
+             && mag(nearest(f, corner) - corner) < tolerance*grid_.h()
             )
             {
                 result.append(i);
@@ -82,7 +82,7 @@ bool Foam::pointWalls::facesAll
     const point& place
 ) const
 {
-    if (((place - f.centre) & f.normal) < -little*grid_.h())
+    if (((place - f.centre) & f.normal) < -tolerance*grid_.h())
     {
         return false;
     }
@@ -111,7 +111,7 @@ void Foam::pointWalls::addBarrier
     const plane face(planeOf(f, p));
 
     // Whether a point of the cell gets behind its plane in a step
-    const scalar reach = (0.5*face.normal.abs().sum() + 0.5 - little)*grid_.h();
+    const scalar reach = (0.5*face.normal.abs().sum() + 0.5 - tolerance)*grid_.h();
     const bool passes =
         face.distance > (edges.empty() && !isHeld_[node] ? 0 : -reach);
 
@@ -124,7 +124,7 @@ void Foam::pointWalls::addBarrier
         }
     }
 
-    if (face.normal.square().sum() > little && passes && face.distance < reach)
+    if (face.normal.square().sum() > tolerance && passes && face.distance < reach)
     {
         ofNode.append(barrier{face, {}, false});
         addEdges(ofNode.last(), p, edges);
@@ -145,7 +145,7 @@ void Foam::pointWalls::addEdges
 
         // Neither what lies in the plane of a slice nor what goes straight on
         bool isNew =
-            side.normal.square().sum() > little && !parallel(side, wall);
+            side.normal.square().sum() > tolerance && !parallel(side, wall);
 
         for (const plane& other : wall.beyond)
         {
@@ -153,7 +153,7 @@ void Foam::pointWalls::addEdges
                 isNew
              && !(
                     parallel(side, other)
-                 && mag(side.distance - other.distance) < little*grid_.h()
+                 && mag(side.distance - other.distance) < tolerance*grid_.h()
                 );
         }
         if (isNew)
@@ -247,7 +247,7 @@ Foam::scalar Foam::pointWalls::depth
         height += side.normal[k + 1]*(p[d] - node[d]);
     }
 
-    return little*grid_.h() - height;
+    return tolerance*grid_.h() - height;
 }
 
 
@@ -279,7 +279,7 @@ bool Foam::pointWalls::isBehindOutlet(const point& p, const label cell) const
         if
         (
             wall.isOutlet
-         && behind > 100*little*grid_.h()
+         && behind > 100*tolerance*grid_.h()
          && behind <= depthBeyond(wall, p, node)
         )
         {
@@ -332,5 +332,5 @@ bool Foam::pointWalls::putBackBehind
     }
 
     // Not for a rounding
-    return behind > little*grid_.h();
+    return behind > tolerance*grid_.h();
 }

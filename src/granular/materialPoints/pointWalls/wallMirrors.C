@@ -21,7 +21,7 @@ bool Foam::pointWalls::isCellBehind(const heldNode& held) const
 {
     return
         mag(held.distance + grid_.h()) < nearly*grid_.h()
-     && held.normal.abs().maxCoeff() > 1 - little;
+     && held.normal.abs().maxCoeff() > 1 - tolerance;
 }
 
 
@@ -53,7 +53,7 @@ Foam::boolList Foam::pointWalls::reachedFromBehind
 ) const
 {
     // Points reach a node from that far
-    const scalar reach = (1.5 - little)*grid_.h();
+    const scalar reach = (1.5 - tolerance)*grid_.h();
     boolList result(grid_.nNodes(), false);
 
     for (const facet& f : facets_)
@@ -68,7 +68,7 @@ Foam::boolList Foam::pointWalls::reachedFromBehind
             (
                 by >= 0
              && isCellBehind(held_[by])
-             && (held_[by].normal*normal).sum() < 1 - little
+             && (held_[by].normal*normal).sum() < 1 - tolerance
             )
             {
                 const point p(grid_.position(node));
@@ -77,7 +77,7 @@ Foam::boolList Foam::pointWalls::reachedFromBehind
                     result[node]
                  || (
                         mag(way) < reach
-                     && (way & f.normal) < -little*grid_.h()
+                     && (way & f.normal) < -tolerance*grid_.h()
                     );
             }
         });
@@ -112,7 +112,7 @@ void Foam::pointWalls::findMirrors()
             before >= 0
          && by[at] >= 0
          && mag(held_[by[at]].distance) < nearly*grid_.h()
-         && (held_[by[at]].normal*held.normal).sum() > 1 - little
+         && (held_[by[at]].normal*held.normal).sum() > 1 - tolerance
          && by[before] == -1
          && !contested[held.node]
         )

@@ -46,7 +46,7 @@ bool Foam::pointWalls::holds
 ) const
 {
     const facet& f = facets_[i];
-    const scalar none = little*grid_.h();
+    const scalar none = tolerance*grid_.h();
 
     if (((p - q) & f.normal) > none)
     {
@@ -81,7 +81,7 @@ Foam::lanes Foam::pointWalls::normalOf(const facet& f) const
     }
 
     const scalar length = std::sqrt(normal.square().sum());
-    return length < little ? lanes(lanes::Zero()) : lanes(normal/length);
+    return length < tolerance ? lanes(lanes::Zero()) : lanes(normal/length);
 }
 
 
@@ -94,14 +94,14 @@ void Foam::pointWalls::hold
 )
 {
     const lanes normal(normalOf(f));
-    if (normal.square().sum() < little)
+    if (normal.square().sum() < tolerance)
     {
         return;
     }
 
     for (std::size_t i = begin; i < held_.size(); ++i)
     {
-        if ((held_[i].normal*normal).sum() > 1 - little)
+        if ((held_[i].normal*normal).sum() > 1 - tolerance)
         {
             return;
         }
@@ -140,7 +140,7 @@ void Foam::pointWalls::findNodes()
         {
             const point q(nearest(facets_[i], place[node]));
 
-            if (mag(q - place[node]) < little*grid_.h())
+            if (mag(q - place[node]) < tolerance*grid_.h())
             {
                 meeting[node].append(i);
             }
