@@ -92,29 +92,23 @@ TEST(dilatantMuI, shearAtConstantVolumeFindsTheFrictionAndPressureOfItsRate)
 }
 
 
-TEST(dilatantMuI, shearAtConstantPressureDilatesAsTheClosedForm)
-{
-    // Grains so small that phi_eq = phi_m: d phi/d gamma = -phi K_4 (phi - phi_m)
-    const dilatantMuI law
-    (
-        settings
-        (
-            "law dilatantMuI; density 1600; solidDensity 2650; E 1e8; nu 0.2;"
-            " grainDiameter 1e-9; staticFriction 0.382; limitFriction 0.643;"
-            " b 0.31; maxSolidFraction 0.56; a 1.23; dilation 4.7;"
-        )
-    );
-    const scalar dt = 1e-5;
-    const scalar c = (0.62 - 0.56)/0.62;
-    const auto exact = [&](const scalar shear)
-    {
-        return 0.56/(1 - c*std::exp(-4.7*0.56*shear));
-    };
+//- Grains so small that phi_eq = phi_m at any rate
+const string tinyGrains
+(
+    "law dilatantMuI; density 1600; solidDensity 2650; E 1e8; nu 0.2;"
+    " grainDiameter 1e-9; staticFriction 0.382; limitFriction 0.643;"
+    " b 0.31; maxSolidFraction 0.56; a 1.23; dilation 4.7;"
+);
 
+
+//- Solid fraction after a shear of 2 at a pressure of 1 kPa, from this one on
+scalar shearedAtConstantPressure(const dilatantMuI& law, const scalar start)
+{
     // As much as follows by itself where the pressure is held: p is read, and
     // the volume gives way until it is 1 kPa
-    shearedPoint one(0.62, 1000);
-    scalar phi = 0.62;
+    const scalar dt = 1e-5;
+    shearedPoint one(start, 1000);
+    scalar phi = start;
     for (label n = 0; n < 20000; ++n)
     {
         const scalar excess = one.pressure() - 1000;
@@ -123,20 +117,95 @@ TEST(dilatantMuI, shearAtConstantPressureDilatesAsTheClosedForm)
         one.setFraction(phi);
         law.update(one.points, 0, one.dilation, dt);
     }
+    return phi;
+}
 
-    EXPECT_NEAR(phi, exact(2), 0.01*(0.62 - exact(2)));
+
+//- The same: d phi/d gamma = -phi K (phi - phi_m), with K_4 or K_c
+scalar exactFraction(const scalar K, const scalar start)
+{
+    return 0.56/(1 - (1 - 0.56/start)*std::exp(-K*0.56*2));
+}
+
+
+TEST(dilatantMuI, shearAtConstantPressureDilatesAsTheClosedForm)
+{
+    const scalar exact = exactFraction(4.7, 0.62);
+    const scalar phi =
+        shearedAtConstantPressure(dilatantMuI(settings(tinyGrains)), 0.62);
+
+    EXPECT_NEAR(phi, exact, 0.01*(0.62 - exact));
     EXPECT_LT(phi, 0.565);
+}
+
+
+TEST(dilatantMuI, aLooseSkeletonContractsAsTheClosedForm)
+{
+    const string loose = "looseSolidFraction 0.5; contraction 3;";
+    const scalar exact = exactFraction(3, 0.52);
+    const scalar phi = shearedAtConstantPressure
+    (
+        dilatantMuI(settings(tinyGrains + loose)), 0.52
+    );
+
+    EXPECT_NEAR(phi, exact, 0.01*(exact - 0.52));
+    EXPECT_GT(phi, 0.55);
+}
+
+
+TEST(dilatantMuI, aLooseSkeletonBearsStressUntilItIsSheared)
+{
+    // At constant volume, as a liquid in the pores holds it: with B = K_c (phi_m - phi)
+    // the pressure falls by K B for each plastic strain, and with it the elastic one
+    const dilatantMuI law
+    (
+        settings(tinyGrains + "looseSolidFraction 0.5; contraction 3;")
+    );
+    const scalar K = law.bulkModulus();
+    const scalar G = law.shearModulus();
+    const scalar B = 3*(0.56 - 0.53);
+    const scalar start = 1e5;
+
+    shearedPoint one(0.53, start);
+    const tensor shear = one.points.gradient[0];
+    one.points.gradient[0] = Zero;
+    law.update(one.points, 0, one.dilation, 1e-4);
+    EXPECT_EQ(one.pressure(), start);
+
+    // Half of the pressure is gone
+    const scalar yields = 0.382*start/G;
+    const scalar strain = yields + 0.5*start/(K*B)*(1 - 0.382*K*B/G);
+    const label steps = 1000;
+    one.points.gradient[0] = shear;
+    for (label n = 0; n < steps; ++n)
+    {
+        law.update(one.points, 0, one.dilation, strain/one.rate/steps);
+    }
+    EXPECT_NEAR(one.pressure(), 0.5*start, 0.005*start);
+    EXPECT_NEAR(one.rootJ2(), 0.382*0.5*start, 0.382*0.005*start);
+
+    // Then all of it: the skeleton has collapsed
+    for (label n = 0; n < 2*steps; ++n)
+    {
+        law.update(one.points, 0, one.dilation, strain/one.rate/steps);
+    }
+    EXPECT_LT(one.pressure(), 1e-6*start);
 }
 
 
 TEST(dilatantMuI, theReturnIsConsistent)
 {
-    for (const string strength : {"printed", "withDilation"})
+    for
+    (
+        const string more :
+        {
+            "strength printed;", "strength withDilation;",
+            "looseSolidFraction 0.55; contraction 5;"
+        }
+    )
     {
-        const dilatantMuI law
-        (
-            settings(grains + "viscosity 0.5; strength " + strength + ";")
-        );
+        const dilatantMuI law(settings(grains + "viscosity 0.5; " + more));
+        const scalar loosest = law.looseDensity()/2650;
         const scalar K = law.bulkModulus();
         const scalar G = law.shearModulus();
         const scalar dt = 1e-4;
@@ -170,7 +239,7 @@ TEST(dilatantMuI, theReturnIsConsistent)
                 ASSERT_NEAR(one.rootJ2(), limit, 1e-6*limit + 1e-6);
                 const scalar opened =
                     p + K*dt*rate*law.dilatancy(rate, now, phi);
-                if (phi < 0.56 && now < opened*(1 - 1e-6))
+                if (phi < loosest && now < opened*(1 - 1e-6))
                 {
                     ASSERT_NEAR(now, law.largestPressure(rate, phi), 1e-5*now);
                 }
@@ -234,6 +303,17 @@ TEST(dilatantMuI, whatIsWrongIsNamed)
     EXPECT_NE
     (
         output("maxSolidFraction 1;").find("maxSolidFraction is 1"),
+        std::string::npos
+    );
+    EXPECT_NE(output("contraction 2;").find("set both"), std::string::npos);
+    EXPECT_NE
+    (
+        output("looseSolidFraction 0.6;").find("looseSolidFraction is 0.6"),
+        std::string::npos
+    );
+    EXPECT_NE
+    (
+        output("looseSolidFraction 0.4; contraction 9;").find("below 7.2"),
         std::string::npos
     );
     EXPECT_NE(output("strength both;").find("withDilation"), std::string::npos);

@@ -61,8 +61,9 @@ Foam::dilatantMuI::dilatantMuI(const dictionary& dict)
         (
             dict,
             {
-                "staticFriction", "limitFriction", "b", "maxSolidFraction", "a",
-                "dilation", "viscosity", "strength"
+                "staticFriction", "limitFriction", "b", "maxSolidFraction",
+                "looseSolidFraction", "a", "dilation", "contraction", "viscosity",
+                "strength"
             }
         )
     ),
@@ -71,7 +72,9 @@ Foam::dilatantMuI::dilatantMuI(const dictionary& dict)
     b_(positive(dict, "b")),
     maximum_(positive(dict, "maxSolidFraction")),
     a_(positive(dict, "a")),
+    loosest_(dict.getOrDefault<scalar>("looseSolidFraction", maximum_)),
     dilation_(dict.get<scalar>("dilation")),
+    contraction_(dict.getOrDefault<scalar>("contraction", 0)),
     diameter_(positive(dict, "grainDiameter")),
     solidDensity_(positive(dict, "solidDensity")),
     viscosity_(dict.getOrDefault<scalar>("viscosity", 0)),
@@ -97,6 +100,50 @@ Foam::dilatantMuI::dilatantMuI(const dictionary& dict)
             << " and viscosity " << viscosity_ << " Pa s; the first lies below"
             << " one, the others not below zero." << exit(FatalIOError);
     }
+    checkContraction(dict);
+}
+
+
+void Foam::dilatantMuI::checkContraction(const dictionary& dict) const
+{
+    if (!(loosest_ > 0 && loosest_ <= maximum_ && contraction_ >= 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "looseSolidFraction is " << loosest_ << " and contraction "
+            << contraction_ << "; the first lies above zero and not above"
+            << " maxSolidFraction, " << maximum_ << ", the other not below zero."
+            << exit(FatalIOError);
+    }
+    if ((loosest_ < maximum_) != (contraction_ > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "contraction is " << contraction_ << " and looseSolidFraction "
+            << loosest_ << " of maxSolidFraction " << maximum_ << ". A skeleton"
+            << " that is loose bears stress until shear contracts it: set both, or"
+            << " neither." << exit(FatalIOError);
+    }
+
+    // Else a strain in shear lowers the strength by more than the stress
+    const scalar largest =
+        shearModulus()/(limit_*bulkModulus()*max(maximum_ - loosest_, SMALL));
+    if (contraction_ >= largest)
+    {
+        FatalIOErrorInFunction(dict)
+            << "contraction is " << contraction_ << ", with which the skeleton"
+            << " collapses in no time; below " << largest << " it does not, by the"
+            << " other numbers of this law." << exit(FatalIOError);
+    }
+}
+
+
+Foam::scalar Foam::dilatantMuI::dilatancyOf
+(
+    const scalar phi,
+    const scalar equilibrium
+) const
+{
+    const scalar excess = phi - equilibrium;
+    return (excess > 0 ? dilation_ : contraction_)*excess;
 }
 
 
@@ -121,8 +168,7 @@ Foam::scalar Foam::dilatantMuI::dilatancy
     const scalar phi
 ) const
 {
-    const scalar equilibrium = maximum_/(1 + a_*mixedNumber(rate, p));
-    return dilation_*max(phi - equilibrium, scalar(0));
+    return dilatancyOf(phi, maximum_/(1 + a_*mixedNumber(rate, p)));
 }
 
 
@@ -183,8 +229,7 @@ Foam::dilatantMuI::flow Foam::dilatantMuI::sheared
     const auto excess = [&](const scalar x)
     {
         const scalar rest = 1 - x;
-        const scalar beta =
-            dilation_*max(phi - maximum_*rest/(rest + a_*x), scalar(0));
+        const scalar beta = dilatancyOf(phi, maximum_*rest/(rest + a_*x));
         const scalar mu =
             static_ + (limit_ - static_)*x/(x + b_*rest)
           + (withDilation_ ? beta : 0);
@@ -206,7 +251,7 @@ Foam::dilatantMuI::flow Foam::dilatantMuI::sheared
     };
 
     // Where I_m is smaller than that at which phi_eq = phi, it compacts
-    if (phi < maximum_)
+    if (phi < loosest_)
     {
         const scalar I = equilibriumNumber(phi);
         if (excess(I/(1 + I)) > 0)
@@ -287,7 +332,7 @@ void Foam::dilatantMuI::update
         const scalar phi = points.mass[i]/points.volume[i]/solidDensity_;
 
         const bool elastic =
-            phi >= maximum_
+            phi >= loosest_
          && trial.p >= 0
          && trial.rootJ2 <= strength(0, trial.p, phi);
 
