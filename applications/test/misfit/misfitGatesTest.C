@@ -152,7 +152,7 @@ TEST(misfitGates, whatHeldOutChannelsDoNotShowIsNotNamedAndChanceDegradesNothing
     // Where nothing was wrong before, held-out channels can only get worse
     for (const scalar share : {1.0, 0.1})
     {
-        const label n = 30;
+        const label n = 20;
         label refused = 0;
         for (label seed = 1; seed <= n; ++seed)
         {
@@ -183,7 +183,7 @@ TEST(misfitGates, whatSomethingUnknownDoesToHeldOutChannelsIsNotBlamedOnTheName)
     vec added = strangeWave(120);
     const world w(20);
     w.data.segments[2].of(added) *= -1;
-    const label n = 30;
+    const label n = 20;
     label refused = 0;
     for (label seed = 1; seed <= n; ++seed)
     {

@@ -190,7 +190,7 @@ INSTANTIATE_TEST_SUITE_P
 (
     from40to62Percent,
     packingFraction,
-    ::testing::Values(0.40, 0.50, 0.55, 0.60, 0.62)
+    ::testing::Values(0.40, 0.50, 0.55, 0.62)
 );
 
 
