@@ -157,7 +157,7 @@ TEST(dilatantMuI, aLooseSkeletonBearsStressUntilItIsSheared)
 {
     // At constant volume, as a liquid in the pores holds it: with B = K_c (phi_m - phi)
     // the pressure falls by K B for each plastic strain, and with it the elastic one
-    const dilatantMuI law
+    dilatantMuI law
     (
         settings(tinyGrains + "looseSolidFraction 0.5; contraction 3;")
     );
@@ -190,6 +190,15 @@ TEST(dilatantMuI, aLooseSkeletonBearsStressUntilItIsSheared)
         law.update(one.points, 0, one.dilation, strain/one.rate/steps);
     }
     EXPECT_LT(one.pressure(), 1e-6*start);
+
+    // While it settles it keeps its density, and its stress
+    law.setSettling(true);
+    shearedPoint settling(0.53, start);
+    for (label n = 0; n < steps; ++n)
+    {
+        law.update(settling.points, 0, settling.dilation, strain/one.rate/steps);
+    }
+    EXPECT_NEAR(settling.pressure(), start, 1e-6*start);
 }
 
 

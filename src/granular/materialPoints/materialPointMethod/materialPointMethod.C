@@ -173,8 +173,18 @@ void Foam::materialPointMethod::damp(const scalar dt, const scalar damping)
 }
 
 
-void Foam::materialPointMethod::forgetStrain(const label body)
+void Foam::materialPointMethod::beginSettling(const label body, const scalar rate)
 {
+    damping_[body] = rate;
+    laws_[body].setSettling(true);
+}
+
+
+void Foam::materialPointMethod::endSettling(const label body)
+{
+    damping_[body] = 0;
+    laws_[body].setSettling(false);
+
     forAll(points_.x, i)
     {
         if (points_.body[i] == body)

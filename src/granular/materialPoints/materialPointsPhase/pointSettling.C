@@ -38,7 +38,10 @@ Foam::pointSettling::pointSettling
         const label i = until_.size();
         until_.append(time);
         settles_.append(now_ < time*(1 - 1e-9));
-        method_.setDamping(i, settles_[i] ? rate : 0);
+        if (settles_[i])
+        {
+            method_.beginSettling(i, rate);
+        }
     }
 }
 
@@ -52,8 +55,7 @@ void Foam::pointSettling::end(const scalar interval)
         if (settles_[body] && now_ >= until_[body]*(1 - 1e-9))
         {
             settles_[body] = false;
-            method_.setDamping(body, 0);
-            method_.forgetStrain(body);
+            method_.endSettling(body);
         }
     }
 }

@@ -143,7 +143,7 @@ Foam::scalar Foam::dilatantMuI::dilatancyOf
 ) const
 {
     const scalar excess = phi - equilibrium;
-    return (excess > 0 ? dilation_ : contraction_)*excess;
+    return (excess > 0 ? dilation_ : settling_ ? 0 : contraction_)*excess;
 }
 
 
