@@ -59,6 +59,14 @@ Foam::demCoupling::demCoupling
         )
     );
 
+    if (phase_->hasClumps() && forces_->lubricates())
+    {
+        FatalIOErrorInFunction(dict)
+            << "There are clumps of spheres, and interphaseForces/lubrication is on:"
+            << " spheres that overlap would each have a film of their own." << nl
+            << "    Take lubrication out." << exit(FatalIOError);
+    }
+
     locateGrains();
     checkInside();
     // In a surge soft grains dent deeper than a packing may

@@ -11,7 +11,7 @@ void Foam::demCoupling::checkRegime()
     scalar largest = 0;
     for (const locatedGrain& grain : exchange_->grains())
     {
-        largest = max(largest, 2*grain.radius);
+        largest = max(largest, 2*grain.clumpRadius);
     }
     reduce(largest, maxOp<scalar>());
 
@@ -47,7 +47,7 @@ void Foam::demCoupling::checkSlowGrains(const fluidFields& fluid) const
         const locatedGrain& grain = exchange_->grains()[i];
         const scalar mu = max(fluid.mu[grain.cell], SMALL);
         const scalar rho = fluid.rho[grain.cell];
-        const scalar d = 2*grain.radius/phase_->coarseGraining();
+        const scalar d = 2*grain.clumpRadius/phase_->coarseGraining();
         const scalar cell = cbrt(mesh_.V()[grain.cell]);
         const scalar speed =
             mag(forces_->hydrostatic().g())*sqr(d)/(18*mu)

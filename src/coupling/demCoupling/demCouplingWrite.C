@@ -24,6 +24,7 @@ bool Foam::demCoupling::writeCloud() const
 
     located.id = exchange_->toCells(moved->id);
     located.type = exchange_->toCells(moved->type);
+    located.clump = exchange_->toCells(moved->clump);
     located.U = exchange_->toCells(moved->U);
     located.omega = exchange_->toCells(moved->omega);
     located.d = exchange_->toCells(moved->d);

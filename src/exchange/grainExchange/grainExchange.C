@@ -43,6 +43,8 @@ struct Foam::grainExchange::phaseLists
     const UList<vector>& fluidForce = phase.fluidForce();
     const UList<scalar>& radius = phase.radius();
     const UList<scalar>& mass = phase.mass();
+    const UList<scalar>& clumpRadius = phase.clumpRadius();
+    const UList<scalar>& share = phase.share();
     const UList<label>& id = phase.id();
 
     //- Write what is known of grain i, which is in the cell, where it belongs
@@ -55,6 +57,8 @@ struct Foam::grainExchange::phaseLists
         grain.fluidForce = fluidForce[i];
         grain.radius = radius[i];
         grain.mass = mass[i];
+        grain.clumpRadius = clumpRadius.size() ? clumpRadius[i] : radius[i];
+        grain.share = share.size() ? share[i] : 1;
         grain.cell = cell;
         grain.id = id[i];
         grain.mobile = phase.mobile(i);

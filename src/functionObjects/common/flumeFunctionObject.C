@@ -118,7 +118,14 @@ bool Foam::functionObjects::flumeFunctionObject::hasFluid(const fvMesh& mesh)
 const Foam::grainSnapshot&
 Foam::functionObjects::flumeFunctionObject::grains() const
 {
-    return snapshotCache::get(mesh_);
+    const grainSnapshot& all = snapshotCache::get(mesh_);
+
+    if (!takesClumps())
+    {
+        snapshotCache::checkNoClumps(mesh_, *this);
+    }
+
+    return all;
 }
 
 

@@ -26,7 +26,8 @@ Foam::snapshotCache::snapshotCache(const fvMesh& mesh)
     ),
     mesh_(mesh),
     time_(0),
-    timeIndex_(-1)
+    timeIndex_(-1),
+    clumps_(false)
 {}
 
 
@@ -38,6 +39,7 @@ const Foam::grainSnapshot& Foam::snapshotCache::present()
     if (!grains_ || timeIndex_ != now.timeIndex() || time_ != now.value())
     {
         grains_ = grainSnapshot::New(mesh_);
+        clumps_ = grains_->hasClumps();
         timeIndex_ = now.timeIndex();
         time_ = now.value();
     }
@@ -57,4 +59,23 @@ const Foam::grainSnapshot& Foam::snapshotCache::get(const fvMesh& mesh)
     }
 
     return cache->present();
+}
+
+
+void Foam::snapshotCache::checkNoClumps
+(
+    const fvMesh& mesh,
+    const functionObject& asks
+)
+{
+    if (mesh.lookupObject<snapshotCache>(typeName).clumps_)
+    {
+        FatalErrorInFunction
+            << "Function object " << asks.name() << " of type " << asks.type()
+            << " takes each grain for a sphere, but there are clumps of spheres"
+            << " that overlap." << nl
+            << "    Take it out of system/controlDict. basalStress, grainTrack,"
+            << " massBalance, sideView and wallLoad know clumps."
+            << exit(FatalError);
+    }
 }

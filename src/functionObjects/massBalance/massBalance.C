@@ -175,14 +175,14 @@ Foam::functionObjects::massBalance::grainCount() const
 
     if (running && !functionObject::postProcess)
     {
-        result[0] = running->nTotal();
+        result[0] = running->nBodies();
         result[1] = returnReduce(sum(running->mass()), sumOp<scalar>());
         result[2] = running->nEntered();
         result[3] = running->nLeft();
     }
     else if (functionObject::postProcess)
     {
-        result[0] = returnReduce(grains().size(), sumOp<label>());
+        result[0] = grains().nBodies();
         result[1] = gSum(grains().mass);
     }
 

@@ -6,6 +6,7 @@
 
 #include "IOField.H"
 #include "Time.H"
+#include "clumpSums.H"
 #include "exceptionGuard.H"
 #include "foamCompatibility.H"
 #include "functionObject.H"
@@ -20,6 +21,9 @@ namespace
 using namespace Foam;
 
 const string wallPrefix("wallForce.");
+
+//- Written where there are clumps
+const word clumpField("clump");
 
 
 fileName cloudFolder()
@@ -162,6 +166,21 @@ wordList allNames(wordList names)
 }
 
 
+//- True where the written grains have clumps, on any rank
+bool clumpsOnDisk(const fvMesh& mesh)
+{
+    const fileName path
+    (
+        fileHandler().filePath
+        (
+            mesh.time().timePath()/mesh.dbDir()/cloudFolder()/clumpField
+        )
+    );
+
+    return returnReduce(!path.empty(), orOp<bool>());
+}
+
+
 wordList wallsOnDisk(const fvMesh& mesh)
 {
     DynamicList<word> walls;
@@ -264,6 +283,7 @@ Foam::grainSnapshot::grainSnapshot(const label n)
 :
     id(n, Zero),
     type(n, Zero),
+    clump(n, Zero),
     position(n, Zero),
     U(n, Zero),
     omega(n, Zero),
@@ -313,6 +333,10 @@ Foam::autoPtr<Foam::grainSnapshot> Foam::grainSnapshot::read
 
     readField(mesh, "id", grains.id);
     readField(mesh, "type", grains.type);
+    if (clumpsOnDisk(mesh))
+    {
+        readField(mesh, clumpField, grains.clump);
+    }
     readField(mesh, "U", grains.U);
     readField(mesh, "omega", grains.omega);
     readField(mesh, "d", grains.d);
@@ -344,6 +368,10 @@ bool Foam::grainSnapshot::write
 
     ok = writeField(mesh, "id", labelField(id)) && ok;
     ok = writeField(mesh, "type", labelField(type)) && ok;
+    if (hasClumps())
+    {
+        ok = writeField(mesh, clumpField, labelField(clump)) && ok;
+    }
     ok = writeField(mesh, "U", U) && ok;
     ok = writeField(mesh, "omega", omega) && ok;
     ok = writeField(mesh, "d", d) && ok;
@@ -362,4 +390,28 @@ bool Foam::grainSnapshot::write
     }
 
     return returnReduce(ok, andOp<bool>());
+}
+
+
+bool Foam::grainSnapshot::hasClumps() const
+{
+    bool here = false;
+    for (const label c : clump)
+    {
+        here = here || c;
+    }
+
+    return returnReduce(here, orOp<bool>());
+}
+
+
+Foam::label Foam::grainSnapshot::nBodies() const
+{
+    label nAlone = 0;
+    for (const label c : clump)
+    {
+        nAlone += !c;
+    }
+
+    return returnReduce(nAlone, sumOp<label>()) + nClumps(clump);
 }

@@ -188,10 +188,19 @@ void Foam::liggghtsInstance::script
         "Correct the last command above in that script."
     );
 
-    const fileName before(cwd());
+    // Also after an error, which a test survives
+    const struct returning
+    {
+        const fileName before = cwd();
+
+        ~returning()
+        {
+            chDir(before);
+        }
+    } atEnd;
+
     chDir(caseFolder);
     lammps_file(lmp_, file.c_str());
-    chDir(before);
 }
 
 

@@ -261,18 +261,44 @@ std::string Foam::liggghtsOutlet::describe(const lostGrainFinder::record& grain)
 void Foam::liggghtsOutlet::stopForWrong
 (
     const label n,
-    const lostGrainFinder::record& first
+    const lostGrainFinder::record& first,
+    const label clump
 ) const
 {
+    OStringStream who;
+    if (clump)
+    {
+        who << " It is a sphere of clump " << clump << ", which counts once.";
+    }
+
     FatalErrorInFunction
         << "A grain left the mesh where it may not, by time "
         << grains_.timeName() << " s." << nl
-        << "    " << describe(first).c_str() << nl
+        << "    " << describe(first).c_str() << who.str().c_str() << nl
         << "    " << n << " of " << nGrains_ << " grains left so." << nl
         << "    If grains pass a wall: shorten the DEM step or make the"
         << " grains stiffer. If they may leave: name the patches in"
         << " LIGGGHTS/outflow of constant/granularProperties."
         << exit(FatalError);
+}
+
+
+Foam::labelList Foam::liggghtsOutlet::clumpsOf
+(
+    const UList<lostGrainFinder::record>& missing
+) const
+{
+    labelList result(missing.size(), Zero);
+
+    forAll(missing, k)
+    {
+        const auto known = clumpBefore_.cfind(missing[k].first());
+        result[k] = known.found() ? *known : 0;
+    }
+    Pstream::listCombineGather(result, maxEqOp<label>());
+    compatibility::broadcast(result);
+
+    return result;
 }
 
 
@@ -285,9 +311,18 @@ Foam::label Foam::liggghtsOutlet::nVanished(const label gone)
     label nInside = nUnseen - nWrong;
     lostGrainFinder::record first(-1, Pair<vector>());
     lostGrainFinder::record firstInside(first);
+    const labelList clumps(clumpsOf(missing));
+    label firstClump = 0;
+    labelHashSet seen;
 
-    for (const lostGrainFinder::record& grain : missing)
+    forAll(missing, k)
     {
+        const lostGrainFinder::record& grain = missing[k];
+        if (clumps[k] && !seen.insert(clumps[k]))
+        {
+            continue;
+        }
+
         const point& from = grain.second().first();
         const vector& velocity = grain.second().second();
         point leavesAt(from);
@@ -296,6 +331,7 @@ Foam::label Foam::liggghtsOutlet::nVanished(const label gone)
         if (out ? !mayLeave(leavesAt, velocity) : openings_.empty())
         {
             ++nWrong;
+            firstClump = first.first() < 0 ? clumps[k] : firstClump;
             first = first.first() < 0 ? grain : first;
         }
         else if (!out)
@@ -312,7 +348,7 @@ Foam::label Foam::liggghtsOutlet::nVanished(const label gone)
 
     if (nWrong && Pstream::master())
     {
-        stopForWrong(nWrong, first);
+        stopForWrong(nWrong, first, firstClump);
     }
 
     // Until the master has ended the run
@@ -332,6 +368,12 @@ void Foam::liggghtsOutlet::begin()
 void Foam::liggghtsOutlet::note()
 {
     before_.note(grains_.id(), grains_.position(), grains_.velocity());
+
+    clumpBefore_.clear();
+    forAll(grains_.clump(), i)
+    {
+        clumpBefore_.insert(grains_.id()[i], grains_.clump()[i]);
+    }
 }
 
 

@@ -112,6 +112,7 @@ Foam::liggghtsPhase::liggghtsPhase
     initialScript_(script(mesh, dict_, "initial")),
     physicsScript_(script(mesh, dict_, "physics")),
     liggghts_(mesh.time().globalPath()/"log.liggghts"),
+    clumps_(liggghts_),
     outlet_
     (
         *this,
@@ -131,6 +132,7 @@ Foam::liggghtsPhase::liggghtsPhase
     chooseContacts();
     setVariables();
     createGrains();
+    clumps_.find(restarted_);
     liggghtsChecks::units(liggghts_, initialScript_);
     liggghtsChecks::sizes(liggghts_, initialScript_);
     liggghtsChecks::domain(liggghts_, mesh, initialScript_);
@@ -139,10 +141,16 @@ Foam::liggghtsPhase::liggghtsPhase
 
     liggghts_.script(physicsScript_, mesh.time().globalPath());
     addCouplingFixes();
+    clumps_.check
+    (
+        localDamping_, coarseGraining_, outlet_.isOpen(), bool(eachStep_),
+        physicsScript_
+    );
     liggghtsChecks::timeStep(liggghts_, physicsScript_);
 
     liggghts_.setup();
     last_.restore();
+    clumps_.sumForces();
     if (!restarted_)
     {
         liggghtsChecks::overlaps(liggghts_, initialScript_);
@@ -151,7 +159,7 @@ Foam::liggghtsPhase::liggghtsPhase
     outlet_.begin();
 
     // As an obstacle should, or as where the fix was forgotten
-    if (!movingGroups_)
+    if (!movingGroups_ && !hasClumps())
     {
         Info<< "    grains stand still: no fix of " << physicsScript_
             << " moves them, as nve/sphere would" << endl;
@@ -160,6 +168,12 @@ Foam::liggghtsPhase::liggghtsPhase
     Info<< "    " << nTotal() << " grains, step " << timeStep()
         << " s, exchange every " << stepsPerExchange << " steps = "
         << exchangeInterval() << " s" << nl;
+
+    if (hasClumps())
+    {
+        Info<< "    " << clumps_.nSpheres() << " of them are the spheres of "
+            << clumps_.n() << " clumps" << nl;
+    }
 
     const std::string stock(liggghts_.whyContactsAreStock());
     const std::string contacts
@@ -200,6 +214,15 @@ void Foam::liggghtsPhase::refresh()
     id_.shallowCopy(UList<label>(atom.tag, n));
     type_.shallowCopy(UList<label>(atom.type, n));
 
+    if (clumps_.any())
+    {
+        clumps_.refresh(totalForce_, fluidForce_, g_);
+        clump_.shallowCopy(clumps_.clump());
+        share_.shallowCopy(clumps_.share());
+        clumpRadius_.shallowCopy(clumps_.radius());
+        mass_.shallowCopy(clumps_.mass());
+    }
+
     movingGroups_ = 0;
     for (label i = 0; i < liggghts_->modify->nfix; ++i)
     {
@@ -212,7 +235,15 @@ void Foam::liggghtsPhase::refresh()
 
 bool Foam::liggghtsPhase::mobile(const label i) const
 {
-    return liggghts_->atom->mask[i] & movingGroups_;
+    return
+        (liggghts_->atom->mask[i] & movingGroups_)
+     || (clump_.size() && clump_[i]);
+}
+
+
+Foam::label Foam::liggghtsPhase::nBodies() const
+{
+    return nTotal() - (hasClumps() ? clumps_.nSpheres() - clumps_.n() : 0);
 }
 
 
@@ -246,6 +277,7 @@ void Foam::liggghtsPhase::setFluidForce
         fluidForce_[i] = force[i];
         fluidTorque_[i] = torque[i];
     }
+    clumps_.sumForces();
 }
 
 

@@ -103,6 +103,7 @@ void Foam::liggghtsPhase::createGrains()
     addFixStyle<fixFluidForce>(&*liggghts_);
     addFixStyle<fixLocalDamping>(&*liggghts_);
     addFixStyle<fixStepForce>(&*liggghts_);
+    liggghtsClumps::addStyle(&*liggghts_);
 
     // Contacts with history need it, and a written state does not keep it
     liggghts_.command("newton off");

@@ -5,6 +5,7 @@
 
 #include "Map.H"
 #include "OSspecific.H"
+#include "clumpSums.H"
 #include "fixLocalDamping.H"
 #include "foamCompatibility.H"
 #include "grainSnapshot.H"
@@ -123,6 +124,27 @@ namespace
     }
 
 
+    //- Take the places of contacts from the centres of clumps, not of their spheres
+    void seeFromClumps(grainSnapshot& grains)
+    {
+        const vectorField moments(grains.mass*grains.position);
+        const vectorField masses(grains.mass*vector::one);
+        const auto sums(clumpSums(grains.clump).sum(moments, masses));
+
+        forAll(grains.clump, i)
+        {
+            if (grains.clump[i])
+            {
+                const auto& sum = sums[grains.clump[i]];
+                const point centre(sum.first()/sum.second().x());
+
+                grains.stressMoment[i] +=
+                    symm((grains.position[i] - centre)*grains.contactForce[i]);
+            }
+        }
+    }
+
+
     //- Force of the surface of a wall on each of n grains [N]
     vectorField surfaceForce
     (
@@ -166,12 +188,20 @@ Foam::autoPtr<Foam::grainSnapshot> Foam::liggghtsPhase::snapshot() const
     grains.omega = angularVelocity_;
     grains.mass = mass_;
     grains.force = fluidForce_;
+    if (clump_.size())
+    {
+        grains.clump = clump_;
+    }
 
     forAll(radius_, i)
     {
         grains.d[i] = 2*radius_[i];
-        grains.contactForce[i] =
-            totalForce_[i] - fluidForce_[i] - mass_[i]*g_;
+        grains.contactForce[i] = totalForce_[i] - fluidForce_[i];
+        if (!grains.clump[i])
+        {
+            // Of a clump LIGGGHTS adds it to the whole
+            grains.contactForce[i] -= mass_[i]*g_;
+        }
 
         // Touching nothing a grain is damped, too
         if (damping_)
@@ -214,6 +244,10 @@ Foam::autoPtr<Foam::grainSnapshot> Foam::liggghtsPhase::snapshot() const
     }
 
     addContacts(*liggghts_, outlet_.images(), grains);
+    if (hasClumps())
+    {
+        seeFromClumps(grains);
+    }
 
     return result;
 }
@@ -235,6 +269,10 @@ void Foam::liggghtsPhase::readState(const fileName& state)
     }
 
     liggghts_.command("read_restart " + state);
+    for (const std::string& line : liggghtsClumps::commands(initialScript_))
+    {
+        liggghts_.command(line);
+    }
 
     // Nor this. The physics script may choose another
     liggghts_.command("communicate single vel yes");
@@ -267,6 +305,7 @@ bool Foam::liggghtsPhase::writeState(const fileName& folder)
     // out those that are beyond a side
     liggghts_.setup();
     last_.restore();
+    clumps_.sumForces();
     refresh();
     outlet_.count();
 

@@ -54,9 +54,10 @@ void Foam::grainForces::setTorque
     // stands for: its moment of inertia is N^5 times theirs
     const locatedGrain& grain = exchange_.grains()[i];
     const scalar inertia =
-        grain.mobile ? 0.4*grain.mass*sqr(grain.radius) : GREAT;
+        grain.mobile ? 0.4*grain.mass*sqr(grain.clumpRadius) : GREAT;
     const scalar c =
-        pow5(coarseGraining_)*laws_.rotationalDragCoefficient(state);
+        pow5(coarseGraining_)*laws_.rotationalDragCoefficient(state)
+       *grain.share;
 
     torque_[i] = c/(1 + c*interval/inertia)*state.relativeSpin;
 }
@@ -98,7 +99,7 @@ inline Foam::grainState Foam::grainForces::stateOf
 
     return grainState
     {
-        2*grain.radius/coarseGraining_,
+        2*grain.clumpRadius/coarseGraining_,
         perRho*fluid.momentum - meanVelocity_[i],
         0.5*vorticity - grain.angularVelocity,
         vorticity,
@@ -126,7 +127,8 @@ inline void Foam::grainForces::setForce
 {
     const locatedGrain& grain = exchange_.grains()[i];
     const scalar volume = mapping_.volumes()[i];
-    const scalar N3 = pow3(coarseGraining_);
+    // What the laws give is that of a whole grain
+    const scalar N3 = pow3(coarseGraining_)*grain.share;
     const scalar perRho = 1/fluid.rhoAround;
     const vector& v = meanVelocity_[i];
     const vector U(state.slip + v);

@@ -83,7 +83,7 @@ Foam::scalarField Foam::particleMeshMapping::sauterDiameter() const
 
     forAll(grains, i)
     {
-        areas[i] = volumes_[i]/(2*grains[i].radius);
+        areas[i] = volumes_[i]/(2*grains[i].clumpRadius);
     }
 
     return gather(spread(volumes_))/gather(spread(areas));

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Clumps of spheres that LIGGGHTS moves: what of each a sphere stands for.
+
+#include "liggghtsClumps.H"
+
+#include "clumpSums.H"
+#include "clumpTemplate.H"
+#include "fixStyles.H"
+#include "fpeGuard.H"
+#include "liggghtsErrors.H"
+#include "liggghtsScript.H"
+#include "mathematicalConstants.H"
+
+#include <cmath>
+#include <sstream>
+
+#include <liggghts/atom.h>
+#include <liggghts/comm.h>
+#include <liggghts/domain.h>
+#include <liggghts/fix_multisphere.h>
+#include <liggghts/lammps.h>
+#include <liggghts/modify.h>
+#include <liggghts/update.h>
+
+namespace
+{
+    const char* const clumpStyle = "multisphere";
+
+    bool isInsertion(const LAMMPS_NS::Fix& fix)
+    {
+        return Foam::string(fix.style).substr(0, 7) == "insert/";
+    }
+}
+
+
+Foam::liggghtsClumps::liggghtsClumps(const liggghtsInstance& liggghts)
+:
+    liggghts_(liggghts),
+    fix_(nullptr),
+    weights_(nullptr),
+    n_(0)
+{}
+
+
+void Foam::liggghtsClumps::addStyle(LAMMPS_NS::LAMMPS* lmp)
+{
+    addFixStyle<clumpTemplate>(lmp);
+}
+
+
+Foam::DynamicList<std::string> Foam::liggghtsClumps::commands
+(
+    const fileName& initialScript
+)
+{
+    DynamicList<std::string> result;
+
+    for (const std::string& line : liggghtsScript::commands(initialScript, "fix"))
+    {
+        std::istringstream words(line);
+        std::string fix, id, group, style;
+
+        if (words >> fix >> id >> group >> style && style == clumpStyle)
+        {
+            result.append(line);
+        }
+    }
+
+    return result;
+}
+
+
+void Foam::liggghtsClumps::find(const bool restarted)
+{
+    LAMMPS_NS::Modify& modify = *liggghts_->modify;
+
+    fix_ = dynamic_cast<LAMMPS_NS::FixMultisphere*>
+    (
+        modify.find_fix_style(clumpStyle, 0)
+    );
+    if (fix_)
+    {
+        if (!restarted)
+        {
+            insert();
+        }
+        n_ = fix_->n_body_all();
+        weights_ = const_cast<LAMMPS_NS::FixPropertyAtom*>(fix_->get_volumeweight());
+    }
+}
+
+
+void Foam::liggghtsClumps::insert()
+{
+    const fpeGuard guard;
+    const liggghtsErrors::activity now
+    (
+        "inserting clumps",
+        "Correct the insertion in the initial script."
+    );
+
+    LAMMPS_NS::Modify& modify = *liggghts_->modify;
+
+    liggghts_->init();
+    liggghts_->domain->pbc();
+    liggghts_->comm->setup();
+    // Fixes forget all grains in their first setup
+    modify.setup(0);
+
+    for (label i = 0; i < modify.nfix; ++i)
+    {
+        LAMMPS_NS::Fix& fix = *modify.fix[i];
+
+        if (isInsertion(fix) && fix.next_reneighbor > 0)
+        {
+            fix.setup(0);
+            fix.next_reneighbor = liggghts_->update->ntimestep;
+            fix.pre_exchange();
+        }
+    }
+}
+
+
+void Foam::liggghtsClumps::refuse(const string& what, const string& remedy) const
+{
+    FatalErrorInFunction
+        << "There are clumps of spheres (fix " << fix_->id << " of style "
+        << fix_->style << ") and " << what.c_str() << nl << "    "
+        << remedy.c_str() << exit(FatalError);
+}
+
+
+void Foam::liggghtsClumps::check
+(
+    const scalar localDamping,
+    const scalar coarseGraining,
+    const bool outflow,
+    const bool stepForces,
+    const fileName& physicsScript
+) const
+{
+    if (!fix_)
+    {
+        return;
+    }
+
+    const LAMMPS_NS::Domain& domain = *liggghts_->domain;
+
+    if (domain.xperiodic || domain.yperiodic || domain.zperiodic)
+    {
+        refuse
+        (
+            "periodic sides: LIGGGHTS loses a clump that crosses one.",
+            "Give the mesh walls in place of cyclic and empty patches."
+        );
+    }
+    if (localDamping > 0)
+    {
+        refuse
+        (
+            "localDamping, which is written for single grains.",
+            "Take LIGGGHTS/localDamping out of constant/granularProperties."
+        );
+    }
+    if (coarseGraining != 1)
+    {
+        refuse
+        (
+            "coarseGraining, which is written for single grains.",
+            "Take coarseGraining out of constant/granularProperties."
+        );
+    }
+    if (outflow)
+    {
+        refuse
+        (
+            "an outflow: a clump would leave sphere by sphere.",
+            "Take LIGGGHTS/outflow out of constant/granularProperties."
+        );
+    }
+    if (stepForces)
+    {
+        refuse
+        (
+            "material points, whose contacts are written for single grains.",
+            "Take granularPhase LIGGGHTS, or grains that are spheres."
+        );
+    }
+    checkNoInsertion();
+    checkMovedOnce(physicsScript);
+}
+
+
+void Foam::liggghtsClumps::checkNoInsertion() const
+{
+    const LAMMPS_NS::Modify& modify = *liggghts_->modify;
+
+    for (label i = 0; i < modify.nfix; ++i)
+    {
+        const LAMMPS_NS::Fix& fix = *modify.fix[i];
+
+        if
+        (
+            isInsertion(fix)
+         && fix.next_reneighbor > liggghts_->update->ntimestep
+        )
+        {
+            refuse
+            (
+                "fix " + string(fix.id) + " is to insert grains while the run goes on.",
+                "Insert all grains in the initial script, with 'insert_every once'."
+            );
+        }
+    }
+}
+
+
+void Foam::liggghtsClumps::checkMovedOnce(const fileName& script) const
+{
+    const LAMMPS_NS::Modify& modify = *liggghts_->modify;
+    const LAMMPS_NS::Atom& atom = *liggghts_->atom;
+
+    for (label k = 0; k < modify.nfix; ++k)
+    {
+        const LAMMPS_NS::Fix& fix = *modify.fix[k];
+        bool moves = false;
+
+        for (label i = 0; fix.time_integrate && i < atom.nlocal; ++i)
+        {
+            moves = moves || (clumpOf(i) && (atom.mask[i] & fix.groupbit));
+        }
+        if (returnReduce(moves, orOp<bool>()))
+        {
+            refuse
+            (
+                "fix " + string(fix.id) + " (" + string(fix.style) + ") of "
+              + string(script) + " moves their spheres, too.",
+                "fix multisphere moves clumps: take that fix out, or give it a group"
+                " of the other grains alone."
+            );
+        }
+    }
+}
+
+
+Foam::label Foam::liggghtsClumps::clumpOf(const label i) const
+{
+    return fix_ ? max(fix_->belongs_to(i), 0) : 0;
+}
+
+
+Foam::label Foam::liggghtsClumps::nSpheres() const
+{
+    label n = 0;
+    for (const label clump : clump_)
+    {
+        n += clump > 0;
+    }
+    return returnReduce(n, sumOp<label>());
+}
+
+
+void Foam::liggghtsClumps::setSpheres()
+{
+    const LAMMPS_NS::Atom& atom = *liggghts_->atom;
+    const label n = atom.nlocal;
+
+    clump_.setSize(n);
+    share_.setSize(n);
+    radius_.setSize(n);
+    mass_.setSize(n);
+
+    for (label i = 0; i < n; ++i)
+    {
+        clump_[i] = clumpOf(i);
+
+        if (clump_[i])
+        {
+            const scalar volume = atom.rmass[i]/atom.density[i];
+            share_[i] = weights_->vector_atom[i];
+            radius_[i] = cbrt(3*volume/(4*constant::mathematical::pi));
+            mass_[i] = share_[i]*atom.rmass[i];
+        }
+        else
+        {
+            share_[i] = 1;
+            radius_[i] = atom.radius[i];
+            mass_[i] = atom.rmass[i];
+        }
+    }
+}
+
+
+void Foam::liggghtsClumps::shareForces
+(
+    const UList<vector>& total,
+    const UList<vector>& fluid,
+    const vector& g
+)
+{
+    totalForce_ = total;
+    fluidForce_ = fluid;
+
+    const Map<Pair<vector>> sums(clumpSums(clump_).sum(total, fluid));
+
+    forAll(clump_, i)
+    {
+        if (clump_[i])
+        {
+            // LIGGGHTS adds gravity to the clump, not to its spheres
+            const Pair<vector>& sum = sums[clump_[i]];
+            totalForce_[i] = share_[i]*sum.first() + mass_[i]*g;
+            fluidForce_[i] = share_[i]*sum.second();
+        }
+    }
+}
+
+
+void Foam::liggghtsClumps::refresh
+(
+    const UList<vector>& total,
+    const UList<vector>& fluid,
+    const vector& g
+)
+{
+    if (any())
+    {
+        n_ = fix_->n_body_all();
+        setSpheres();
+        shareForces(total, fluid, g);
+    }
+}
+
+
+void Foam::liggghtsClumps::sumForces() const
+{
+    if (any())
+    {
+        const fpeGuard guard;
+
+        fix_->data().reset_forces(false);
+        fix_->comm_correct_force(false);
+        fix_->calc_force(false);
+    }
+}
