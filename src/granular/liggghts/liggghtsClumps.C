@@ -9,6 +9,7 @@
 #include "fpeGuard.H"
 #include "liggghtsErrors.H"
 #include "liggghtsScript.H"
+#include "OStringStream.H"
 #include "mathematicalConstants.H"
 
 #include <cmath>
@@ -144,16 +145,6 @@ void Foam::liggghtsClumps::check
         return;
     }
 
-    const LAMMPS_NS::Domain& domain = *liggghts_->domain;
-
-    if (domain.xperiodic || domain.yperiodic || domain.zperiodic)
-    {
-        refuse
-        (
-            "periodic sides: LIGGGHTS loses a clump that crosses one.",
-            "Give the mesh walls in place of cyclic and empty patches."
-        );
-    }
     if (localDamping > 0)
     {
         refuse
@@ -186,8 +177,45 @@ void Foam::liggghtsClumps::check
             "Take granularPhase LIGGGHTS, or grains that are spheres."
         );
     }
+    checkRoom();
     checkNoInsertion();
     checkMovedOnce(physicsScript);
+}
+
+
+void Foam::liggghtsClumps::checkRoom() const
+{
+    // LIGGGHTS tells images and ranks of a clump apart by the nearest one
+    const LAMMPS_NS::Domain& domain = *liggghts_->domain;
+    const scalar size = 2*fix_->max_r_bound();
+
+    for (direction k = 0; k < 3; ++k)
+    {
+        OStringStream what;
+        if (domain.periodicity[k] && domain.prd[k] < 2*size)
+        {
+            what<< "sides that repeat after " << domain.prd[k] << " m along "
+                << "xyz"[k] << ", less than twice the size of the largest, " << size
+                << " m.";
+            refuse
+            (
+                what.str(),
+                "Make the mesh wider there, or give it walls in place of cyclic or"
+                " empty patches."
+            );
+        }
+
+        const scalar width = returnReduce
+        (
+            scalar(domain.subhi[k] - domain.sublo[k]), minOp<scalar>()
+        );
+        if (width < size && Pstream::parRun())
+        {
+            what<< "ranks that are only " << width << " m wide along " << "xyz"[k]
+                << ", less than the largest of them, " << size << " m.";
+            refuse(what.str(), "Take fewer ranks, or cut the mesh another way.");
+        }
+    }
 }
 
 

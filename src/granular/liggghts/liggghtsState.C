@@ -18,6 +18,7 @@
 #include <liggghts/atom.h>
 #include <liggghts/atom_vec.h>
 #include <liggghts/fix.h>
+#include <liggghts/domain.h>
 #include <liggghts/fix_contact_property_atom_wall.h>
 #include <liggghts/fix_mesh_surface.h>
 #include <liggghts/lammps.h>
@@ -125,9 +126,16 @@ namespace
 
 
     //- Take the places of contacts from the centres of clumps, not of their spheres
-    void seeFromClumps(grainSnapshot& grains)
+    void seeFromClumps(LAMMPS_NS::LAMMPS& lmp, grainSnapshot& grains)
     {
-        const vectorField moments(grains.mass*grains.position);
+        // Beyond a side that repeats, beside the others of its clump
+        vectorField places(grains.position);
+        forAll(places, i)
+        {
+            lmp.domain->unmap(lmp.atom->x[i], lmp.atom->image[i], places[i].data());
+        }
+
+        const vectorField moments(grains.mass*places);
         const vectorField masses(grains.mass*vector::one);
         const auto sums(clumpSums(grains.clump).sum(moments, masses));
 
@@ -139,7 +147,7 @@ namespace
                 const point centre(sum.first()/sum.second().x());
 
                 grains.stressMoment[i] +=
-                    symm((grains.position[i] - centre)*grains.contactForce[i]);
+                    symm((places[i] - centre)*grains.contactForce[i]);
             }
         }
     }
@@ -246,7 +254,7 @@ Foam::autoPtr<Foam::grainSnapshot> Foam::liggghtsPhase::snapshot() const
     addContacts(*liggghts_, outlet_.images(), grains);
     if (hasClumps())
     {
-        seeFromClumps(grains);
+        seeFromClumps(*liggghts_, grains);
     }
 
     return result;
