@@ -26,6 +26,7 @@ grainSnapshot oneInEachCell(const fvMesh& mesh, labelList& cells)
         cells[i] = i + 1;
         grains.id[i] = 1000*Pstream::myProcNo() + i;
         grains.type[i] = 1 + i % 2;
+        grains.clump[i] = i % 3;
         grains.position[i] = mesh.C()[i + 1] + vector(0.01, 0.02, -0.03);
         grains.U[i] = vector(i, 2*i, 3);
         grains.omega[i] = vector(0, i, 1);
@@ -47,6 +48,7 @@ void expectEqual(const grainSnapshot& a, const grainSnapshot& b)
     ASSERT_EQ(a.size(), b.size());
     EXPECT_EQ(a.id, b.id);
     EXPECT_EQ(a.type, b.type);
+    EXPECT_EQ(a.clump, b.clump);
     EXPECT_EQ(a.U, b.U);
     EXPECT_EQ(a.omega, b.omega);
     EXPECT_EQ(a.d, b.d);
