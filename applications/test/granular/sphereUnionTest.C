@@ -80,7 +80,8 @@ TEST(sphereUnion, oneSphereHasItsClosedForms)
 TEST(sphereUnion, twoThatTouchAreTheirSum)
 {
     const scalar r = 0.01;
-    const sphereUnion two(pointField({point(0, 0, 0), point(2*r, 0, 0)}), scalarField(2, r));
+    const pointField centres({point(0, 0, 0), point(2*r, 0, 0)});
+    const sphereUnion two(centres, scalarField(2, r));
     const scalar along = 2*0.4*ball(r)*sqr(r);
     const scalar across = along + 2*ball(r)*sqr(r);
 

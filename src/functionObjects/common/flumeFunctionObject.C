@@ -118,14 +118,7 @@ bool Foam::functionObjects::flumeFunctionObject::hasFluid(const fvMesh& mesh)
 const Foam::grainSnapshot&
 Foam::functionObjects::flumeFunctionObject::grains() const
 {
-    const grainSnapshot& all = snapshotCache::get(mesh_);
-
-    if (!takesClumps())
-    {
-        snapshotCache::checkNoClumps(mesh_, *this);
-    }
-
-    return all;
+    return snapshotCache::get(mesh_, takesClumps() ? nullptr : this);
 }
 
 

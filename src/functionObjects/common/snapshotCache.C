@@ -48,27 +48,9 @@ const Foam::grainSnapshot& Foam::snapshotCache::present()
 }
 
 
-const Foam::grainSnapshot& Foam::snapshotCache::get(const fvMesh& mesh)
+void Foam::snapshotCache::checkNoClumps(const functionObject& asks) const
 {
-    auto* cache = mesh.getObjectPtr<snapshotCache>(typeName);
-
-    if (!cache)
-    {
-        cache = new snapshotCache(mesh);
-        cache->store();
-    }
-
-    return cache->present();
-}
-
-
-void Foam::snapshotCache::checkNoClumps
-(
-    const fvMesh& mesh,
-    const functionObject& asks
-)
-{
-    if (mesh.lookupObject<snapshotCache>(typeName).clumps_)
+    if (clumps_)
     {
         FatalErrorInFunction
             << "Function object " << asks.name() << " of type " << asks.type()
@@ -78,4 +60,28 @@ void Foam::snapshotCache::checkNoClumps
             << " massBalance, sideView and wallLoad know clumps."
             << exit(FatalError);
     }
+}
+
+
+const Foam::grainSnapshot& Foam::snapshotCache::get
+(
+    const fvMesh& mesh,
+    const functionObject* takesNoClumps
+)
+{
+    auto* cache = mesh.getObjectPtr<snapshotCache>(typeName);
+
+    if (!cache)
+    {
+        cache = new snapshotCache(mesh);
+        cache->store();
+    }
+
+    const grainSnapshot& all = cache->present();
+    if (takesNoClumps)
+    {
+        cache->checkNoClumps(*takesNoClumps);
+    }
+
+    return all;
 }

@@ -140,6 +140,7 @@ void Foam::liggghtsClumps::check
     const fileName& physicsScript
 ) const
 {
+    checkNoOthers();
     if (!fix_)
     {
         return;
@@ -180,6 +181,30 @@ void Foam::liggghtsClumps::check
     checkRoom();
     checkNoInsertion();
     checkMovedOnce(physicsScript);
+}
+
+
+void Foam::liggghtsClumps::checkNoOthers() const
+{
+    const LAMMPS_NS::Modify& modify = *liggghts_->modify;
+
+    for (label i = 0; i < modify.nfix; ++i)
+    {
+        const LAMMPS_NS::Fix* fix = modify.fix[i];
+        const string style(fix->style);
+        const bool isRigid =
+            style.substr(0, 5) == "rigid"
+         || dynamic_cast<const LAMMPS_NS::FixMultisphere*>(fix);
+
+        if (isRigid && (fix != fix_ || style != clumpStyle))
+        {
+            FatalErrorInFunction
+                << "Fix " << fix->id << " of style " << style.c_str()
+                << " makes rigid bodies of which the fluid would know nothing." << nl
+                << "    Clumps are made by one 'fix multisphere' in the initial script,"
+                << " and templates and insertions behind it." << exit(FatalError);
+        }
+    }
 }
 
 

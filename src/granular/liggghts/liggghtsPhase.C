@@ -158,6 +158,12 @@ Foam::liggghtsPhase::liggghtsPhase
     refresh();
     outlet_.begin();
 
+    report();
+}
+
+
+void Foam::liggghtsPhase::report() const
+{
     // As an obstacle should, or as where the fix was forgotten
     if (!movingGroups_ && !hasClumps())
     {
@@ -166,7 +172,7 @@ Foam::liggghtsPhase::liggghtsPhase
     }
 
     Info<< "    " << nTotal() << " grains, step " << timeStep()
-        << " s, exchange every " << stepsPerExchange << " steps = "
+        << " s, exchange every " << stepsPerExchange() << " steps = "
         << exchangeInterval() << " s" << nl;
 
     if (hasClumps())
