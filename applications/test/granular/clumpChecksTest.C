@@ -58,6 +58,18 @@ TEST(clumps, refuseWhatIsNotWrittenForThem)
 }
 
 
+TEST(clumps, thatAreHeldOrCarryAMassAlongInLIGGGHTSAreRefused)
+{
+    settings s;
+    s.physics = "fix_modify clumps fflag on off on\n";
+    expectHolds(refused("", s), "'fflag off' or 'tflag off'");
+
+    s = settings();
+    s.fix = "clumps all multisphere CAddRhoFluid 0.5 1000";
+    expectHolds(refused("", s), "interphaseForces/virtualMass");
+}
+
+
 TEST(clumps, madeBehindTheInitialScriptAreRefused)
 {
     const std::string output

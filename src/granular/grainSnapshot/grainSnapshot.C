@@ -9,6 +9,7 @@
 #include "clumpSums.H"
 #include "exceptionGuard.H"
 #include "foamCompatibility.H"
+#include "OSspecific.H"
 #include "functionObject.H"
 #include "granularPhase.H"
 #include "passiveParticleCloud.H"
@@ -371,6 +372,11 @@ bool Foam::grainSnapshot::write
     if (hasClumps())
     {
         ok = writeField(mesh, clumpField, labelField(clump)) && ok;
+    }
+    else
+    {
+        // Of a run before in this folder
+        rm(fieldIO(mesh, clumpField, IOobject::NO_READ).objectPath());
     }
     ok = writeField(mesh, "U", U) && ok;
     ok = writeField(mesh, "omega", omega) && ok;

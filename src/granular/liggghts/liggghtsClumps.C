@@ -71,7 +71,7 @@ Foam::DynamicList<std::string> Foam::liggghtsClumps::commands
 }
 
 
-void Foam::liggghtsClumps::find(const bool restarted)
+void Foam::liggghtsClumps::find(const bool restarted, const fileName& script)
 {
     LAMMPS_NS::Modify& modify = *liggghts_->modify;
 
@@ -86,7 +86,44 @@ void Foam::liggghtsClumps::find(const bool restarted)
             insert();
         }
         n_ = fix_->n_body_all();
+        checkFound(restarted, script);
         weights_ = const_cast<LAMMPS_NS::FixPropertyAtom*>(fix_->get_volumeweight());
+    }
+}
+
+
+void Foam::liggghtsClumps::checkFound
+(
+    const bool restarted,
+    const fileName& script
+) const
+{
+    // By the name of its fix: LIGGGHTS leaves spheres alone where that is another
+    if
+    (
+        restarted && n_ == 0
+     && liggghts_->modify->have_restart_data_style(clumpStyle)
+    )
+    {
+        refuse
+        (
+            "those of the written state do not belong to it.",
+            "Keep the line 'fix ID group multisphere' of the first run in "
+          + string(script) + " itself."
+        );
+    }
+
+    for (const std::string& line : commands(script))
+    {
+        if (line.find("CAddRhoFluid") != std::string::npos)
+        {
+            refuse
+            (
+                "'CAddRhoFluid', a mass that they carry along in LIGGGHTS.",
+                "Take it out, and name interphaseForces/virtualMass in"
+                " constant/granularProperties."
+            );
+        }
     }
 }
 
@@ -179,6 +216,7 @@ void Foam::liggghtsClumps::check
         );
     }
     checkRoom();
+    checkFree();
     checkNoInsertion();
     checkMovedOnce(physicsScript);
 }
@@ -240,6 +278,36 @@ void Foam::liggghtsClumps::checkRoom() const
                 << ", less than the largest of them, " << size << " m.";
             refuse(what.str(), "Take fewer ranks, or cut the mesh another way.");
         }
+    }
+}
+
+
+void Foam::liggghtsClumps::checkFree() const
+{
+    typedef LAMMPS_NS::VectorContainer<bool, 3> flags;
+    bool held = false;
+
+    for (const char* name : {"fflag", "tflag"})
+    {
+        const flags& free =
+            *fix_->data().prop().getElementProperty<flags>(name);
+
+        for (label i = 0; i < fix_->n_body(); ++i)
+        {
+            for (label k = 0; k < 3; ++k)
+            {
+                held = held || !free(i)[k];
+            }
+        }
+    }
+
+    if (returnReduce(held, orOp<bool>()))
+    {
+        refuse
+        (
+            "'fflag off' or 'tflag off' holds some of them in a direction.",
+            "Take it out of the scripts; make an obstacle of grains that no fix moves."
+        );
     }
 }
 

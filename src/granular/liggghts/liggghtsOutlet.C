@@ -277,8 +277,12 @@ void Foam::liggghtsOutlet::stopForWrong
         << "    " << describe(first).c_str() << who.str().c_str() << nl
         << "    " << n << " of " << nGrains_ << " grains left so." << nl
         << "    If grains pass a wall: shorten the DEM step or make the"
-        << " grains stiffer. If they may leave: name the patches in"
-        << " LIGGGHTS/outflow of constant/granularProperties."
+        << " grains stiffer."
+        << (
+               clump ? " Clumps may not leave."
+             : " If they may leave: name the patches in"
+               " LIGGGHTS/outflow of constant/granularProperties."
+           )
         << exit(FatalError);
 }
 

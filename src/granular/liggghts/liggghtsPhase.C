@@ -132,7 +132,7 @@ Foam::liggghtsPhase::liggghtsPhase
     chooseContacts();
     setVariables();
     createGrains();
-    clumps_.find(restarted_);
+    clumps_.find(restarted_, initialScript_);
     liggghtsChecks::units(liggghts_, initialScript_);
     liggghtsChecks::sizes(liggghts_, initialScript_);
     liggghtsChecks::domain(liggghts_, mesh, initialScript_);

@@ -53,8 +53,9 @@ void Foam::grainForces::setTorque
     // The computed grain must get the angular acceleration of the grains it
     // stands for: its moment of inertia is N^5 times theirs
     const locatedGrain& grain = exchange_.grains()[i];
-    const scalar inertia =
-        grain.mobile ? 0.4*grain.mass*sqr(grain.clumpRadius) : GREAT;
+    // A rod has less about its axis than the sphere of its volume
+    const scalar r = min(grain.radius, grain.clumpRadius);
+    const scalar inertia = grain.mobile ? 0.4*grain.mass*sqr(r) : GREAT;
     const scalar c =
         pow5(coarseGraining_)*laws_.rotationalDragCoefficient(state)
        *grain.share;
