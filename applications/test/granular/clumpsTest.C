@@ -161,10 +161,10 @@ List<Pair<vector>> flight
 //  second interval, as elsewhere
 void expectTheSameOverASide(const word& contacts)
 {
-    const label n = 40;
+    const label n = 35;
     const auto over = flight(0.875, contacts, n, 2);
-    // On the same rank, which puts it into the same place
-    const auto within = flight(0.625, contacts, n);
+    // On the same rank, of 4 at most, which puts it into the same place
+    const auto within = flight(0.755, contacts, n);
 
     forAll(over, k)
     {

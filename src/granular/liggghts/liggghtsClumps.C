@@ -9,7 +9,6 @@
 #include "fpeGuard.H"
 #include "liggghtsErrors.H"
 #include "liggghtsScript.H"
-#include "OStringStream.H"
 #include "mathematicalConstants.H"
 
 #include <cmath>
@@ -21,6 +20,7 @@
 #include <liggghts/fix_multisphere.h>
 #include <liggghts/lammps.h>
 #include <liggghts/modify.h>
+#include <liggghts/neighbor.h>
 #include <liggghts/update.h>
 
 namespace
@@ -139,10 +139,15 @@ void Foam::liggghtsClumps::insert()
 
     LAMMPS_NS::Modify& modify = *liggghts_->modify;
 
+    // As a run of LIGGGHTS begins. Fixes send to other ranks in their setup, in which they
+    // forget all grains: what goes where must be known
     liggghts_->init();
     liggghts_->domain->pbc();
+    liggghts_->domain->reset_box();
     liggghts_->comm->setup();
-    // Fixes forget all grains in their first setup
+    liggghts_->neighbor->setup_bins();
+    liggghts_->comm->exchange();
+    liggghts_->comm->borders();
     modify.setup(0);
 
     for (label i = 0; i < modify.nfix; ++i)
@@ -246,72 +251,6 @@ void Foam::liggghtsClumps::checkNoOthers() const
 }
 
 
-void Foam::liggghtsClumps::checkRoom() const
-{
-    // LIGGGHTS tells images and ranks of a clump apart by the nearest one
-    const LAMMPS_NS::Domain& domain = *liggghts_->domain;
-    const scalar size = 2*fix_->max_r_bound();
-
-    for (direction k = 0; k < 3; ++k)
-    {
-        OStringStream what;
-        if (domain.periodicity[k] && domain.prd[k] < 2*size)
-        {
-            what<< "sides that repeat after " << domain.prd[k] << " m along "
-                << "xyz"[k] << ", less than twice the size of the largest, " << size
-                << " m.";
-            refuse
-            (
-                what.str(),
-                "Make the mesh wider there, or give it walls in place of cyclic or"
-                " empty patches."
-            );
-        }
-
-        const scalar width = returnReduce
-        (
-            scalar(domain.subhi[k] - domain.sublo[k]), minOp<scalar>()
-        );
-        if (width < size && Pstream::parRun())
-        {
-            what<< "ranks that are only " << width << " m wide along " << "xyz"[k]
-                << ", less than the largest of them, " << size << " m.";
-            refuse(what.str(), "Take fewer ranks, or cut the mesh another way.");
-        }
-    }
-}
-
-
-void Foam::liggghtsClumps::checkFree() const
-{
-    typedef LAMMPS_NS::VectorContainer<bool, 3> flags;
-    bool held = false;
-
-    for (const char* name : {"fflag", "tflag"})
-    {
-        const flags& free =
-            *fix_->data().prop().getElementProperty<flags>(name);
-
-        for (label i = 0; i < fix_->n_body(); ++i)
-        {
-            for (label k = 0; k < 3; ++k)
-            {
-                held = held || !free(i)[k];
-            }
-        }
-    }
-
-    if (returnReduce(held, orOp<bool>()))
-    {
-        refuse
-        (
-            "'fflag off' or 'tflag off' holds some of them in a direction.",
-            "Take it out of the scripts; make an obstacle of grains that no fix moves."
-        );
-    }
-}
-
-
 void Foam::liggghtsClumps::checkNoInsertion() const
 {
     const LAMMPS_NS::Modify& modify = *liggghts_->modify;
@@ -330,34 +269,6 @@ void Foam::liggghtsClumps::checkNoInsertion() const
             (
                 "fix " + string(fix.id) + " is to insert grains while the run goes on.",
                 "Insert all grains in the initial script, with 'insert_every once'."
-            );
-        }
-    }
-}
-
-
-void Foam::liggghtsClumps::checkMovedOnce(const fileName& script) const
-{
-    const LAMMPS_NS::Modify& modify = *liggghts_->modify;
-    const LAMMPS_NS::Atom& atom = *liggghts_->atom;
-
-    for (label k = 0; k < modify.nfix; ++k)
-    {
-        const LAMMPS_NS::Fix& fix = *modify.fix[k];
-        bool moves = false;
-
-        for (label i = 0; fix.time_integrate && i < atom.nlocal; ++i)
-        {
-            moves = moves || (clumpOf(i) && (atom.mask[i] & fix.groupbit));
-        }
-        if (returnReduce(moves, orOp<bool>()))
-        {
-            refuse
-            (
-                "fix " + string(fix.id) + " (" + string(fix.style) + ") of "
-              + string(script) + " moves their spheres, too.",
-                "fix multisphere moves clumps: take that fix out, or give it a group"
-                " of the other grains alone."
             );
         }
     }
