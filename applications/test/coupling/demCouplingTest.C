@@ -70,6 +70,31 @@ TEST(demCoupling, goesEvenlyToTheVoidFractionThatTheGrainsLeave)
 }
 
 
+TEST(demCoupling, takesARelaxationTimeToReachTheVoidFractionOfTheGrains)
+{
+    boxOfWater w("exchange { interval 50; relaxationTime 0.01; }");
+    const fvMesh& mesh = w.box().mesh();
+    demCoupling coupling(mesh, hydrostatics(g));
+    coupling.start(w.water());
+    coupling.moveGrains();
+    coupling.locateGrains();
+    coupling.findVoidFraction();
+
+    volScalarField voidFraction
+    (
+        IOobject("voidFraction", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar("one", dimless, 1)
+    );
+    const scalarField missing(-coupling.solidFraction());
+    EXPECT_LT
+    (
+        max(mag(0.01*coupling.voidFractionRate(voidFraction, interval)().field() - missing)),
+        1e-15
+    );
+}
+
+
 TEST(demCoupling, givesGrainsTheOppositeOfWhatTheFluidGets)
 {
     boxOfWater w;

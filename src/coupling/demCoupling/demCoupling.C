@@ -41,6 +41,7 @@ Foam::demCoupling::demCoupling
     const granularProperties dict(mesh);
 
     phase_ = dict.makePhase(mesh, hydrostatic.g());
+    relaxationTime_ = dict.relaxationTime();
     dict.checkSmoothing(*phase_);
     exchange_.reset(new grainExchange(mesh));
     solids_.reset
@@ -355,7 +356,7 @@ Foam::demCoupling::voidFractionRate
         IOobject("voidFractionRate", mesh_.time().timeName(), mesh_),
         mesh_,
         dimless/dimTime,
-        (target - voidFraction.primitiveField())/interval
+        (target - voidFraction.primitiveField())/max(interval, relaxationTime_)
     );
 }
 

@@ -24,8 +24,12 @@ Foam::granularProperties::granularProperties(const fvMesh& mesh)
     ),
     stepsPerExchange_
     (
-        keywords::sub(*this, "exchange", {"interval"})
+        keywords::sub(*this, "exchange", {"interval", "relaxationTime"})
             .lookupOrDefault<label>("interval", 10)
+    ),
+    relaxationTime_
+    (
+        subOrEmptyDict("exchange").getOrDefault<scalar>("relaxationTime", 0)
     )
 {
     DynamicList<word> known(granularPhase::keywordsIn(*this));
@@ -46,6 +50,14 @@ Foam::granularProperties::granularProperties(const fvMesh& mesh)
             << "exchange/interval is " << stepsPerExchange_
             << ": give the number of DEM steps between two exchanges,"
             << " 1 or more (default 10)." << exit(FatalIOError);
+    }
+    if (!(relaxationTime_ >= 0))
+    {
+        FatalIOErrorInFunction(*this)
+            << "exchange/relaxationTime is " << relaxationTime_
+            << " s: give 0 (default) for the exchange interval, or the longer time"
+            << " in which the fluid takes up the void fraction of the grains."
+            << exit(FatalIOError);
     }
 }
 
