@@ -2,6 +2,7 @@
 // The stages of an exchange, with LIGGGHTS, and its place in time.
 
 #include "boxOfWater.H"
+#include "terminalOutput.H"
 
 #include <gtest/gtest.h>
 
@@ -92,6 +93,17 @@ TEST(demCoupling, takesARelaxationTimeToReachTheVoidFractionOfTheGrains)
         max(mag(0.01*coupling.voidFractionRate(voidFraction, interval)().field() - missing)),
         1e-15
     );
+}
+
+
+TEST(demCoupling, refusesARelaxationTimeBelowTheInterval)
+{
+    boxOfWater w("exchange { interval 50; relaxationTime 1e-4; }");
+    const std::string words
+    (
+        refusal([&]() { demCoupling(w.box().mesh(), hydrostatics(g)); })
+    );
+    EXPECT_NE(words.find("below the exchange interval"), std::string::npos) << words;
 }
 
 

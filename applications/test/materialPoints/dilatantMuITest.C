@@ -262,6 +262,32 @@ TEST(dilatantMuI, theReturnIsConsistent)
 }
 
 
+TEST(dilatantMuI, thinMaterialThatIsShearedFastComesBackToTheSurface)
+{
+    // So thin that K_c (phi_m - phi) would take more strength than the shear gives
+    const dilatantMuI law
+    (
+        settings(grains + "looseSolidFraction 0.5; contraction 7;")
+    );
+    shearedPoint one(0.2, 5000);
+    one.points.gradient[0] = tensor(0, 0, 1e4, 0, 0, 0, 0, 0, 0);
+    const scalar dt = 1e-5;
+
+    for (label n = 0; n < 20; ++n)
+    {
+        symmTensor s(dev(one.points.stress[0]));
+        const tensor& L = one.points.gradient[0];
+        s += dt*(turning(L, s) + 2*law.shearModulus()*dev(symm(L)));
+        const scalar trial = std::sqrt(0.5*magSqr(s));
+
+        law.update(one.points, 0, one.dilation, dt);
+        const scalar rate = (trial - one.rootJ2())/(law.shearModulus()*dt);
+        const scalar limit = law.strength(rate, one.pressure(), 0.2);
+        ASSERT_LE(one.rootJ2(), limit*(1 + 1e-6) + 1e-6) << n;
+    }
+}
+
+
 TEST(dilatantMuI, tensionOpensItAndLooseMaterialAtRestIsFreeOfStress)
 {
     const dilatantMuI law(settings(grains));

@@ -42,6 +42,14 @@ Foam::demCoupling::demCoupling
 
     phase_ = dict.makePhase(mesh, hydrostatic.g());
     relaxationTime_ = dict.relaxationTime();
+    if (relaxationTime_ > 0 && relaxationTime_ < phase_->exchangeInterval())
+    {
+        FatalIOErrorInFunction(dict)
+            << "exchange/relaxationTime is " << relaxationTime_
+            << " s, below the exchange interval, " << phase_->exchangeInterval()
+            << " s." << nl << "    Give a longer one, or 0 for the interval."
+            << exit(FatalIOError);
+    }
     dict.checkSmoothing(*phase_);
     exchange_.reset(new grainExchange(mesh));
     solids_.reset

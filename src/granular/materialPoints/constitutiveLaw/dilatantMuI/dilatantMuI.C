@@ -250,7 +250,9 @@ Foam::dilatantMuI::flow Foam::dilatantMuI::sheared
           - sqr(rest)*(inertia*sqr(rate) + 2*viscosity_*rate);
     };
 
-    // Where I_m is smaller than that at which phi_eq = phi, it compacts
+    // Where I_m is smaller than that at which phi_eq = phi, it compacts. Else it is
+    // larger, and there is no contraction, which so far from phi_m would leave no root
+    scalar least = SMALL;
     if (phi < loosest_)
     {
         const scalar I = equilibriumNumber(phi);
@@ -258,9 +260,13 @@ Foam::dilatantMuI::flow Foam::dilatantMuI::sheared
         {
             return compacted(trial, phi, dt);
         }
+        if (contraction_ > 0)
+        {
+            least = I/(1 + I);
+        }
     }
 
-    excess(rootBetween(excess, SMALL, scalar(1)));
+    excess(rootBetween(excess, least, scalar(1)));
     return flow{max(p, scalar(0)), rate};
 }
 
