@@ -24,7 +24,6 @@ bool Foam::demCoupling::writeCloud() const
 
     located.id = exchange_->toCells(moved->id);
     located.type = exchange_->toCells(moved->type);
-    located.clump = exchange_->toCells(moved->clump);
     located.U = exchange_->toCells(moved->U);
     located.omega = exchange_->toCells(moved->omega);
     located.d = exchange_->toCells(moved->d);
@@ -32,6 +31,10 @@ bool Foam::demCoupling::writeCloud() const
     located.force = exchange_->toCells(moved->force);
     located.contactForce = exchange_->toCells(moved->contactForce);
     located.stressMoment = exchange_->toCells(moved->stressMoment);
+    if (phase_->hasClumps())
+    {
+        located.clump = exchange_->toCells(moved->clump);
+    }
 
     for (const word& wall : moved->wallForce.sortedToc())
     {

@@ -355,12 +355,9 @@ void Foam::liggghtsClumps::refresh
     const vector& g
 )
 {
-    if (any())
-    {
-        n_ = fix_->n_body_all();
-        setSpheres();
-        shareForces(total, fluid, g);
-    }
+    n_ = fix_->n_body_all();
+    setSpheres();
+    shareForces(total, fluid, g);
 }
 
 
