@@ -3,6 +3,7 @@
 
 #include "boxOfWater.H"
 #include "terminalOutput.H"
+#include "testNumber.H"
 
 #include <gtest/gtest.h>
 
@@ -22,12 +23,12 @@ TEST(demCoupling, hasNoGrainsWithoutTheirDictionary)
 TEST(demCoupling, takesAWholeNumberOfFluidStepsInAnInterval)
 {
     boxOfWater w;
-    const demCoupling coupling(w.box().mesh(), hydrostatics(g));
+    demCoupling coupling(w.box().mesh(), hydrostatics(g));
 
     EXPECT_TRUE(coupling.due());
-    EXPECT_NEAR(coupling.stepInInterval(1), interval, 1e-12*interval);
-    EXPECT_NEAR(coupling.stepInInterval(interval), interval, 1e-12*interval);
-    EXPECT_NEAR(coupling.stepInInterval(0.3*interval), interval/4, 1e-12*interval);
+    EXPECT_NEAR(coupling.clock().stepInInterval(1), interval, 1e-12*interval);
+    EXPECT_NEAR(coupling.clock().stepInInterval(interval), interval, 1e-12*interval);
+    EXPECT_NEAR(coupling.clock().stepInInterval(0.3*interval), interval/4, 1e-12*interval);
 }
 
 
@@ -93,6 +94,42 @@ TEST(demCoupling, takesARelaxationTimeToReachTheVoidFractionOfTheGrains)
         max(mag(0.01*coupling.voidFractionRate(voidFraction, interval)().field() - missing)),
         1e-15
     );
+}
+
+
+TEST(demCoupling, carriesTheVoidFractionWithTheGrainsUntilItHasRelaxed)
+{
+    testBox shape;
+    shape.cells = labelVector(80, 4, 4);
+    boxOfWater w("exchange { interval 50; relaxationTime 1e9; }", shape);
+    const vector U(0.3, 0, 0);
+    w.addPhysics("velocity all set 0.3 0 0 units box");
+    const fvMesh& mesh = w.box().mesh();
+    demCoupling coupling(mesh, hydrostatics(g));
+    coupling.start(w.water());
+    coupling.moveGrains();
+    coupling.locateGrains();
+    coupling.findVoidFraction();
+
+    volScalarField voidFraction
+    (
+        IOobject("voidFraction", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar("one", dimless, 1),
+        "zeroGradient"
+    );
+    voidFraction.primitiveFieldRef() -= coupling.solidFraction();
+    voidFraction.correctBoundaryConditions();
+    const scalarField rate
+    (
+        mesh.V()*coupling.voidFractionRate(voidFraction, interval)().field()
+    );
+    const scalar solids = gSum(mesh.V()*coupling.solidFraction());
+    const scalar speed = -gSum(rate*(mesh.C().primitiveField() & vector(1, 0, 0)))/solids;
+
+    testNumber("speed of the solid fraction over that of the grains", speed/U.x());
+    EXPECT_LT(mag(gSum(rate)), 1e-12*gSum(mag(rate)));
+    EXPECT_NEAR(speed, U.x(), 0.01*U.x());
 }
 
 

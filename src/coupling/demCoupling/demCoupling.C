@@ -5,6 +5,7 @@
 
 #include "Time.H"
 #include "activePhysics.H"
+#include "couplingChecks.H"
 #include "functionObject.H"
 #include "granularProperties.H"
 #include "keywords.H"
@@ -21,7 +22,6 @@ Foam::demCoupling::demCoupling
 )
 :
     mesh_(mesh),
-    elapsed_(0),
     nEntered_(0),
     warnedOf_(0)
 {
@@ -41,14 +41,19 @@ Foam::demCoupling::demCoupling
     const granularProperties dict(mesh);
 
     phase_ = dict.makePhase(mesh, hydrostatic.g());
+    clock_.reset(new exchangeClock(*phase_));
     relaxationTime_ = dict.relaxationTime();
-    if (relaxationTime_ > 0 && relaxationTime_ < phase_->exchangeInterval())
+    if (relaxationTime_ > 0 && relaxationTime_ < clock_->interval())
     {
         FatalIOErrorInFunction(dict)
             << "exchange/relaxationTime is " << relaxationTime_
-            << " s, below the exchange interval, " << phase_->exchangeInterval()
+            << " s, below the exchange interval, " << clock_->interval()
             << " s." << nl << "    Give a longer one, or 0 for the interval."
             << exit(FatalIOError);
+    }
+    if (relaxationTime_ > 0)
+    {
+        transport_.reset(new solidTransport(mesh_));
     }
     dict.checkSmoothing(*phase_);
     exchange_.reset(new grainExchange(mesh));
@@ -77,19 +82,16 @@ Foam::demCoupling::demCoupling
     }
 
     locateGrains();
-    checkInside();
+    checkGrainsInside(*phase_, *exchange_);
     // In a surge soft grains dent deeper than a packing may
     if (!phase_->restarted() && phase_->touchesAtRadius())
     {
-        checkWalls();
+        checkGrainsInWalls(*phase_, *exchange_);
     }
-    checkRegime();
+    warnedOf_ = warnOfLargeGrains(*exchange_, warnedOf_);
     makeWaterAtExchange(water);
     findVoidFraction();
     solidBefore_ = solidAfter_;
-
-    // Nothing of an interval is left to do: the grains are due
-    elapsed_ = phase_->exchangeInterval();
 }
 
 
@@ -98,15 +100,15 @@ Foam::demCoupling::demCoupling(const fvMesh& mesh, const vector& g)
     mesh_(mesh),
     phase_(granularProperties(mesh).makePhase(mesh, g)),
     exchange_(new grainExchange(mesh)),
-    elapsed_(phase_->exchangeInterval()),
+    clock_(new exchangeClock(*phase_)),
     nEntered_(0),
     warnedOf_(0)
 {
     locateGrains();
-    checkInside();
+    checkGrainsInside(*phase_, *exchange_);
     if (!phase_->restarted() && phase_->touchesAtRadius())
     {
-        checkWalls();
+        checkGrainsInWalls(*phase_, *exchange_);
     }
 }
 
@@ -175,7 +177,7 @@ void Foam::demCoupling::startAlone() const
 
     const dictionary& control = mesh_.time().controlDict();
     const scalar deltaT = control.get<scalar>("deltaT");
-    const scalar interval = phase_->exchangeInterval();
+    const scalar interval = clock_->interval();
     if (mag(deltaT - interval) > 1e-6*interval)
     {
         IOWarningInFunction(control)
@@ -194,24 +196,9 @@ void Foam::demCoupling::startAlone() const
 }
 
 
-bool Foam::demCoupling::due() const
-{
-    return hasGrains() && elapsed_ > (1 - 1e-6)*phase_->exchangeInterval();
-}
-
-
-Foam::scalar Foam::demCoupling::stepInInterval(const scalar longest) const
-{
-    const scalar remaining =
-        phase_->exchangeInterval() - (due() ? 0 : elapsed_);
-
-    return remaining/std::ceil(remaining/longest*(1 - 1e-6));
-}
-
-
 void Foam::demCoupling::resetSums(const vectorField& U)
 {
-    elapsed_ = 0;
+    clock_->begin();
     startU_ = U;
     sums_.U = vectorField(U.size(), Zero);
     sums_.pressureGradient = sums_.U;
@@ -226,7 +213,7 @@ void Foam::demCoupling::start(const fluidFields& fluid)
     writeActivePhysics(mesh_, "interphaseForces", forces_->activePhysics());
     writeGrainPhysics();
     resetSums(fluid.U);
-    elapsed_ = phase_->exchangeInterval();
+    clock_->end();
 
     if (phase_->restarted())
     {
@@ -241,8 +228,11 @@ void Foam::demCoupling::start(const fluidFields& fluid)
         return;
     }
 
-    checkSlowGrains(fluid);
-    forces_->start(fluid, phase_->exchangeInterval());
+    warnOfSlowGrains
+    (
+        *exchange_, *solids_, *forces_, phase_->coarseGraining(), fluid
+    );
+    forces_->start(fluid, clock_->interval());
     phase_->setFluidForce
     (
         exchange_->toPhase(forces_->force(), phase_->size()),
@@ -259,7 +249,7 @@ void Foam::demCoupling::startEntered
 {
     exchange_->locate(*phase_, entered);
     solids_->shareSome();
-    forces_->startEntered(fluid, phase_->exchangeInterval());
+    forces_->startEntered(fluid, clock_->interval());
 
     const label n = phase_->size();
     const vectorField newForce(exchange_->toPhase(forces_->force(), n));
@@ -313,7 +303,7 @@ void Foam::demCoupling::locateGrains()
     if (forces_ && phase_->nEntered() > nEntered_)
     {
         nEntered_ = phase_->nEntered();
-        checkRegime();
+        warnedOf_ = warnOfLargeGrains(*exchange_, warnedOf_);
     }
 }
 
@@ -332,6 +322,10 @@ void Foam::demCoupling::findVoidFraction()
     solids_->setWater(waterAtExchange_->primitiveField());
     solids_->update();
     solidAfter_ = solids_->solidFraction();
+    if (transport_)
+    {
+        transport_->update(*phase_, *exchange_, solids_->mapping());
+    }
 }
 
 
@@ -339,7 +333,7 @@ void Foam::demCoupling::prepareForces(const fluidFields& fluid)
 {
     const stageTimes::stage stage(times_, "prepareForces");
     resetSums(fluid.U);
-    forces_->prepare(fluid, phase_->exchangeInterval());
+    forces_->prepare(fluid, clock_->interval());
 }
 
 
@@ -350,8 +344,8 @@ Foam::demCoupling::voidFractionRate
     const scalar dt
 ) const
 {
-    const scalar interval = phase_->exchangeInterval();
-    const scalar done = min((elapsed_ + dt)/interval, scalar(1));
+    const scalar interval = clock_->interval();
+    const scalar done = min((clock_->elapsed() + dt)/interval, scalar(1));
     const scalarField target
     (
         1 - ((1 - done)*solidBefore_ + done*solidAfter_)
@@ -359,13 +353,18 @@ Foam::demCoupling::voidFractionRate
 
     // Within a fluid step the flux would jump where their number in an interval
     // changes, and the pressure with it
-    return tmp<volScalarField::Internal>::New
+    auto rate = tmp<volScalarField::Internal>::New
     (
         IOobject("voidFractionRate", mesh_.time().timeName(), mesh_),
         mesh_,
         dimless/dimTime,
         (target - voidFraction.primitiveField())/max(interval, relaxationTime_)
     );
+    if (transport_)
+    {
+        rate.ref().field() += transport_->voidFractionRate(voidFraction);
+    }
+    return rate;
 }
 
 
@@ -386,7 +385,7 @@ void Foam::demCoupling::addFluidStep
 
     const vectorField net(forces_->division().atCells(netForce));
 
-    elapsed_ += dt;
+    clock_->add(dt);
     sums_.U += dt*U;
     sums_.rho += dt*rho;
     sums_.pressureGradient += dt*(forces_->hydrostatic().gradient(rho) - net);
@@ -408,14 +407,15 @@ void Foam::demCoupling::setParticleForces(const vectorField& U)
 {
     const stageTimes::stage stage(times_, "setParticleForces");
 
+    const scalar elapsed = clock_->elapsed();
     const fluidMeans means
     {
-        sums_.U/elapsed_,
-        (U - startU_)/elapsed_,
-        sums_.pressureGradient/elapsed_,
-        sums_.viscousForce/elapsed_,
-        sums_.rho/elapsed_,
-        sums_.fromPressure/elapsed_
+        sums_.U/elapsed,
+        (U - startU_)/elapsed,
+        sums_.pressureGradient/elapsed,
+        sums_.viscousForce/elapsed,
+        sums_.rho/elapsed,
+        sums_.fromPressure/elapsed
     };
 
     forces_->finish(means);

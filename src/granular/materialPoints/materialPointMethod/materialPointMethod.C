@@ -39,6 +39,21 @@ namespace
 
         return model == "APIC" ? 0 : share;
     }
+
+
+    //- The sub-dictionary sideWalls, of a plane
+    dictionary sideWalls(const dictionary& dict, const pointGrid& grid)
+    {
+        if (dict.found("sideWalls") && grid.nDims() != 2)
+        {
+            FatalIOErrorInFunction(dict)
+                << "sideWalls are those of a plane, and the mesh is none: all its"
+                << " directions are solved." << nl
+                << "    Take sideWalls out, and give the patches of the walls friction."
+                << exit(FatalIOError);
+        }
+        return keywords::sub(dict, "sideWalls", {"friction", "width"});
+    }
 }
 
 
@@ -60,6 +75,8 @@ Foam::materialPointMethod::materialPointMethod
     densityAveraging_(dict.getOrDefault<Switch>("densityAveraging", false)),
     shifting_(dict.getOrDefault<Switch>("shifting", false)),
     courant_(dict.getOrDefault<scalar>("courant", 0.4)),
+    sideFriction_(sideWalls(dict, grid).getOrDefault<scalar>("friction", 0)),
+    width_(sideFriction_ ? sideWalls(dict, grid).get<scalar>("width") : GREAT),
     open_(false),
     nLeft_(0),
     sinceSorted_(sortInterval),
@@ -70,6 +87,12 @@ Foam::materialPointMethod::materialPointMethod
         FatalIOErrorInFunction(dict)
             << "courant is " << courant_ << "; it must lie above 0 and up to 1"
             << " (0.3 to 0.5 is usual)." << exit(FatalIOError);
+    }
+    if (!(sideFriction_ >= 0 && width_ > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "sideWalls have friction " << sideFriction_ << " and width " << width_
+            << " m; give 0 or more, and a width above zero." << exit(FatalIOError);
     }
 }
 

@@ -113,6 +113,10 @@ void Foam::materialPointMethod::sizeFields()
     {
         change_.assign(n, none);
     }
+    if (sideFriction_ > 0)
+    {
+        braking_.assign(n, scalarField(grid_.nNodes(), Zero));
+    }
     if (averaging_)
     {
         cellVolume_.setSize(n*grid_.nNodes());

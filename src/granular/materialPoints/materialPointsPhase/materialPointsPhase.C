@@ -150,7 +150,7 @@ Foam::materialPointsPhase::materialPointsPhase
             {
                 "cellSize", "pointsPerCell", "seed", "transfer", "averaging",
                 "densityAveraging", "shifting", "courant", "timeStep",
-                "walls", "outflow", "contact", "bodies"
+                "walls", "sideWalls", "outflow", "contact", "bodies"
             }
         )
     ),

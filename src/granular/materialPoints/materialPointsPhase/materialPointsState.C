@@ -263,7 +263,7 @@ Foam::dictionary Foam::materialPointsPhase::activePhysics() const
         const char* key
       : {
             "cellSize", "pointsPerCell", "seed", "courant", "averaging",
-            "densityAveraging", "shifting"
+            "densityAveraging", "shifting", "sideWalls"
         }
     )
     {
