@@ -99,6 +99,27 @@ std::string course
 } // End anonymous namespace
 
 
+TEST(exchangeTime, goesOnWithTheNumberThatWasWrittenNotWithThatOfTheFolder)
+{
+    testMesh box;
+    const scalar written = 0.1 + 3e-16;
+    const fileName folder(box.folder()/"0.1"/"uniform");
+    mkDir(folder);
+    {
+        OFstream file(folder/"time");
+        file.precision(18);
+        file<< "FoamFile { version 2.0; format ascii; class dictionary;"
+            " object time; }\nvalue " << written << ";\nname \"0.1\";\nindex 7;\n";
+    }
+
+    const autoPtr<exchangeTime> time(timeOf(box, controlEntry("startTime", 0.1)));
+    EXPECT_NE(time->value(), 0.1);
+    EXPECT_EQ(time->value(), written);
+    EXPECT_EQ(time->timeIndex(), 7);
+    EXPECT_EQ(time->timeName(), "0.1");
+}
+
+
 TEST(exchangeTime, putsWritingOffToTheEndOfAnInterval)
 {
     testMesh box;
