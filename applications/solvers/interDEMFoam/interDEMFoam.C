@@ -59,6 +59,11 @@ int main(int argc, char *argv[])
     exchangeTime runTime(Time::controlDictName, args);
     #include "createMesh.H"
 
+    if (granularProperties::present(mesh))
+    {
+        runTime.restoreValue();
+    }
+
     if (granularProperties::withoutFluid(mesh))
     {
         #include "grainsAlone.H"

@@ -86,41 +86,68 @@ TEST(sideWalls, brakeALayerByTheLoadOnThemWithin2Percent)
 
 TEST(sideWalls, bringALayerToRestAndHoldItThere)
 {
-    layerBetweenWalls layer("");
-    for (vector& U : layer.points().U)
+    for (const string transfer : {"", "transfer { model FLIP; share 0.98; }"})
     {
-        U.x() = 0.1;
+        layerBetweenWalls layer(transfer);
+        for (vector& U : layer.points().U)
+        {
+            U.x() = 0.1;
+        }
+        layer.run(0.5);
+        layer.setGravity(onSlope(3));
+        layer.run(0.5);
+        const point before(average(vectorField(layer.points().x)));
+        layer.run(0.5);
+        EXPECT_LT(mag(average(vectorField(layer.points().x)) - before), 1e-5);
     }
-    layer.run(0.5);
-    layer.setGravity(onSlope(3));
-    layer.run(0.5);
-    const point before(average(vectorField(layer.points().x)));
-    layer.run(0.5);
-    EXPECT_LT(mag(average(vectorField(layer.points().x)) - before), 1e-5);
 }
 
 
-TEST(sideWalls, areRefusedInSpace)
+TEST(sideWalls, withoutFrictionChangeNoBit)
 {
-    pointBox box;
-    box.solid = true;
-    const std::string words
-    (
-        refusal
+    vectorField places[2];
+    for (const label walls : {0, 1})
+    {
+        boxOfPoints column
+        (
+            pointBox(),
+            down,
+            body(sand, "((0 0 0) (0.3 1 0.5))", walls ? "sideWalls { friction 0; width 1; }" : "")
+        );
+        column.run(0.2);
+        places[walls] = vectorField(column.points().x);
+    }
+    EXPECT_EQ(places[0], places[1]);
+}
+
+
+TEST(sideWalls, areRefusedInSpaceAndWithoutTheirWidth)
+{
+    pointBox space;
+    space.solid = true;
+    const auto wordsOf = [](const pointBox& box, const string& walls)
+    {
+        return refusal
         (
             [&]()
             {
-                boxOfPoints
-                (
-                    box,
-                    down,
-                    body
-                    (
-                        elastic, "((0 0 0) (1 1 0.2))", "sideWalls { friction 0.5; width 1; }"
-                    )
-                );
+                boxOfPoints(box, down, body(elastic, "((0 0 0) (1 1 0.2))", walls));
             }
-        )
-    );
-    EXPECT_NE(words.find("sideWalls are those of a plane"), std::string::npos) << words;
+        );
+    };
+    const std::string inSpace(wordsOf(space, "sideWalls { friction 0.5; width 1; }"));
+    EXPECT_NE(inSpace.find("are those of a plane"), std::string::npos) << inSpace;
+
+    for
+    (
+        const string walls
+      : {
+            "sideWalls { friction 0.5; }", "sideWalls { width 1; }",
+            "sideWalls { friction 0; width -1; }", "sideWalls { friction -1; width 1; }"
+        }
+    )
+    {
+        const std::string words(wordsOf(pointBox(), walls));
+        EXPECT_NE(words.find("Give both"), std::string::npos) << words;
+    }
 }

@@ -112,7 +112,9 @@ TEST(exchangeTime, goesOnWithTheNumberThatWasWrittenNotWithThatOfTheFolder)
             " object time; }\nvalue " << written << ";\nname \"0.1\";\nindex 7;\n";
     }
 
-    const autoPtr<exchangeTime> time(timeOf(box, controlEntry("startTime", 0.1)));
+    autoPtr<exchangeTime> time(timeOf(box, controlEntry("startTime", 0.1)));
+    EXPECT_EQ(time->value(), 0.1);
+    time->restoreValue();
     EXPECT_NE(time->value(), 0.1);
     EXPECT_EQ(time->value(), written);
     EXPECT_EQ(time->timeIndex(), 7);

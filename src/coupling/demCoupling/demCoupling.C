@@ -53,7 +53,7 @@ Foam::demCoupling::demCoupling
     }
     if (relaxationTime_ > 0)
     {
-        transport_.reset(new solidTransport(mesh_));
+        transport_.reset(new solidTransport(mesh_, *phase_));
     }
     dict.checkSmoothing(*phase_);
     exchange_.reset(new grainExchange(mesh));
@@ -163,6 +163,10 @@ void Foam::demCoupling::writeGrainPhysics() const
 {
     dictionary method;
     method.add("resultsVersion", resultsVersion);
+    if (transport_)
+    {
+        method.add("relaxationTime", relaxationTime_);
+    }
 
     Info<< "Results of version " << resultsVersion << nl << endl;
     writeActivePhysics(mesh_, "method", method);
@@ -172,8 +176,8 @@ void Foam::demCoupling::writeGrainPhysics() const
 
 void Foam::demCoupling::startAlone() const
 {
-    Info<< "Grains alone: voidFraction, interphaseForces and the fields of a fluid"
-        << " are not read" << nl << endl;
+    Info<< "Grains alone: voidFraction, interphaseForces, exchange/relaxationTime and"
+        << " the fields of a fluid are not read" << nl << endl;
 
     const dictionary& control = mesh_.time().controlDict();
     const scalar deltaT = control.get<scalar>("deltaT");
@@ -193,6 +197,18 @@ void Foam::demCoupling::startAlone() const
     {
         writeCloud();
     }
+}
+
+
+const Foam::exchangeClock& Foam::demCoupling::clock() const
+{
+    if (!clock_)
+    {
+        FatalErrorInFunction
+            << "There are no grains, so there is no exchange interval: ask hasGrains()"
+            << " first." << exit(FatalError);
+    }
+    return *clock_;
 }
 
 
@@ -324,7 +340,7 @@ void Foam::demCoupling::findVoidFraction()
     solidAfter_ = solids_->solidFraction();
     if (transport_)
     {
-        transport_->update(*phase_, *exchange_, solids_->mapping());
+        transport_->update(*exchange_, solids_->mapping());
     }
 }
 
@@ -341,8 +357,9 @@ Foam::tmp<Foam::volScalarField::Internal>
 Foam::demCoupling::voidFractionRate
 (
     const volScalarField& voidFraction,
+    const slidingGate& gate,
     const scalar dt
-) const
+)
 {
     const scalar interval = clock_->interval();
     const scalar done = min((clock_->elapsed() + dt)/interval, scalar(1));
@@ -358,11 +375,12 @@ Foam::demCoupling::voidFractionRate
         IOobject("voidFractionRate", mesh_.time().timeName(), mesh_),
         mesh_,
         dimless/dimTime,
-        (target - voidFraction.primitiveField())/max(interval, relaxationTime_)
+        (target - voidFraction.primitiveField())/relaxationTime()
     );
     if (transport_)
     {
-        rate.ref().field() += transport_->voidFractionRate(voidFraction);
+        lag_ = gMax(mag(target - voidFraction.primitiveField()));
+        rate.ref().field() += transport_->voidFractionRate(voidFraction, gate);
     }
     return rate;
 }
@@ -445,6 +463,10 @@ void Foam::demCoupling::report() const
 
     Info<< "Exchange: force residual " << forces_->residual()
         << ", volume residual "
-        << mag(gSum(solidAfter_*mesh_.V()) - volume)/(volume + VSMALL)
-        << endl;
+        << mag(gSum(solidAfter_*mesh_.V()) - volume)/(volume + VSMALL);
+    if (transport_)
+    {
+        Info<< ", void fraction differs by up to " << lag_;
+    }
+    Info<< endl;
 }

@@ -55,8 +55,8 @@ Foam::granularProperties::granularProperties(const fvMesh& mesh)
     {
         FatalIOErrorInFunction(*this)
             << "exchange/relaxationTime is " << relaxationTime_
-            << " s: give 0 (default) for the exchange interval, or the longer time"
-            << " in which the fluid takes up the void fraction of the grains."
+            << " s: give 0 (default) for the exchange interval, or a longer time"
+            << " constant with which the fluid takes up the noise of their void fraction."
             << exit(FatalIOError);
     }
 }

@@ -23,7 +23,15 @@ tmp<GeometricField<T, fvPatchField, volMesh>> onMesh
 {
     auto all = tmp<GeometricField<T, fvPatchField, volMesh>>::New
     (
-        IOobject("ofGrains", mesh.time().timeName(), mesh),
+        IOobject
+        (
+            "ofGrains",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
         mesh,
         dimensioned<T>(dimless, Zero),
         "zeroGradient"
@@ -36,7 +44,7 @@ tmp<GeometricField<T, fvPatchField, volMesh>> onMesh
 } // End anonymous namespace
 
 
-Foam::solidTransport::solidTransport(const fvMesh& mesh)
+Foam::solidTransport::solidTransport(const fvMesh& mesh, const granularPhase& phase)
 :
     mesh_(mesh),
     flux_
@@ -44,13 +52,18 @@ Foam::solidTransport::solidTransport(const fvMesh& mesh)
         IOobject("fluxOfGrains", mesh.time().timeName(), mesh),
         mesh,
         dimensionedScalar(dimVolume/dimTime, Zero)
-    )
-{}
+    ),
+    isOutlet_(mesh.boundary().size())
+{
+    forAll(isOutlet_, patch)
+    {
+        isOutlet_[patch] = phase.isOutlet(mesh.boundaryMesh()[patch]);
+    }
+}
 
 
 void Foam::solidTransport::update
 (
-    const granularPhase& phase,
     const grainExchange& exchange,
     const particleMeshMapping& mapping
 )
@@ -67,25 +80,22 @@ void Foam::solidTransport::update
     const auto solids = onMesh(mesh_, mapping.spread(volumes));
     const auto momenta = onMesh(mesh_, mapping.spread(momentum));
     const surfaceScalarField fraction(fvc::interpolate(solids()));
-    const surfaceVectorField U
-    (
-        fvc::interpolate(momenta())/max(fraction, dimensionedScalar("small", dimless, SMALL))
-    );
+    const dimensionedScalar small("small", dimless, SMALL);
+    const surfaceVectorField U(fvc::interpolate(momenta())/max(fraction, small));
 
     flux_.primitiveFieldRef() =
         (U.primitiveField() & mesh_.Sf().primitiveField());
     forAll(mesh_.boundary(), patch)
     {
         fvsPatchScalarField& flux = flux_.boundaryFieldRef()[patch];
-        flux = U.boundaryField()[patch] & mesh_.Sf().boundaryField()[patch];
-        if (!flux.coupled())
+        if (flux.coupled() || isOutlet_[patch])
+        {
+            flux = U.boundaryField()[patch] & mesh_.Sf().boundaryField()[patch];
+        }
+        if (isOutlet_[patch])
         {
             // What comes in from outside is no grain of these cells
             flux = max(flux, scalar(0));
-            if (phase.isWall(mesh_.boundary()[patch].patch()))
-            {
-                flux = 0;
-            }
         }
     }
 }
@@ -93,14 +103,16 @@ void Foam::solidTransport::update
 
 Foam::tmp<Foam::scalarField> Foam::solidTransport::voidFractionRate
 (
-    const volScalarField& voidFraction
+    const volScalarField& voidFraction,
+    const slidingGate& gate
 ) const
 {
     IStringStream scheme("limitedLinear 1");
-    const surfaceScalarField transported
+    surfaceScalarField transported
     (
         surfaceInterpolationScheme<scalar>::New(mesh_, flux_, scheme)
             ->interpolate(1 - voidFraction)*flux_
     );
+    gate.close(transported);
     return tmp<scalarField>::New(fvc::surfaceIntegrate(transported)->primitiveField());
 }

@@ -330,3 +330,11 @@ void Foam::liggghtsPhase::takeSteps(const enteredGrains& entered)
     refresh();
     outlet_.count();
 }
+
+
+bool Foam::liggghtsPhase::isOutlet(const polyPatch& patch) const
+{
+    return
+        keywords::patterns(dict_, "outflow", mesh_.boundaryMesh().names())
+       .match(patch.name());
+}

@@ -4,6 +4,7 @@
 #include "exchangeTime.H"
 
 #include "IOdictionary.H"
+#include "PstreamReduceOps.H"
 
 void Foam::exchangeTime::restoreValue()
 {
@@ -21,12 +22,11 @@ void Foam::exchangeTime::restoreValue()
         )
     );
 
-    scalar value;
-    if
-    (
-        written.readIfPresent("value", value)
-     && timeName(timeToUserTime(value)) == timeName()
-    )
+    scalar value = 0;
+    const bool same =
+        written.readIfPresent("value", value) && timeName(value) == timeName();
+
+    if (returnReduce(same, andOp<bool>()))
     {
         setTime(value, timeIndex());
     }

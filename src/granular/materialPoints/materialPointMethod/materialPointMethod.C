@@ -41,18 +41,35 @@ namespace
     }
 
 
-    //- The sub-dictionary sideWalls, of a plane
-    dictionary sideWalls(const dictionary& dict, const pointGrid& grid)
+    //- A number of the dictionary sideWalls, which must be whole and sound; 0 without it
+    scalar ofSideWalls(const dictionary& dict, const pointGrid& grid, const word& key)
     {
-        if (dict.found("sideWalls") && grid.nDims() != 2)
+        if (!dict.found("sideWalls"))
         {
-            FatalIOErrorInFunction(dict)
+            return 0;
+        }
+
+        const dictionary walls(keywords::sub(dict, "sideWalls", {"friction", "width"}));
+        if (grid.nDims() != 2)
+        {
+            FatalIOErrorInFunction(walls)
                 << "sideWalls are those of a plane, and the mesh is none: all its"
                 << " directions are solved." << nl
                 << "    Take sideWalls out, and give the patches of the walls friction."
                 << exit(FatalIOError);
         }
-        return keywords::sub(dict, "sideWalls", {"friction", "width"});
+
+        const scalar friction = walls.getOrDefault<scalar>("friction", -1);
+        const scalar width = walls.getOrDefault<scalar>("width", 0);
+        if (!(friction >= 0 && width > 0))
+        {
+            FatalIOErrorInFunction(walls)
+                << "sideWalls need their friction, 0 or more, and width, the distance of"
+                << " both walls across the plane, above 0 m." << nl
+                << "    Give both: sideWalls { friction 0.5; width 2; }"
+                << exit(FatalIOError);
+        }
+        return key == "width" ? width : friction;
     }
 }
 
@@ -75,8 +92,8 @@ Foam::materialPointMethod::materialPointMethod
     densityAveraging_(dict.getOrDefault<Switch>("densityAveraging", false)),
     shifting_(dict.getOrDefault<Switch>("shifting", false)),
     courant_(dict.getOrDefault<scalar>("courant", 0.4)),
-    sideFriction_(sideWalls(dict, grid).getOrDefault<scalar>("friction", 0)),
-    width_(sideFriction_ ? sideWalls(dict, grid).get<scalar>("width") : GREAT),
+    sideFriction_(ofSideWalls(dict, grid, "friction")),
+    width_(ofSideWalls(dict, grid, "width")),
     open_(false),
     nLeft_(0),
     sinceSorted_(sortInterval),
@@ -87,12 +104,6 @@ Foam::materialPointMethod::materialPointMethod
         FatalIOErrorInFunction(dict)
             << "courant is " << courant_ << "; it must lie above 0 and up to 1"
             << " (0.3 to 0.5 is usual)." << exit(FatalIOError);
-    }
-    if (!(sideFriction_ >= 0 && width_ > 0))
-    {
-        FatalIOErrorInFunction(dict)
-            << "sideWalls have friction " << sideFriction_ << " and width " << width_
-            << " m; give 0 or more, and a width above zero." << exit(FatalIOError);
     }
 }
 

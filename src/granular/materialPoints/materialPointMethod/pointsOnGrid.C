@@ -3,6 +3,14 @@
 
 #include "materialPointMethod.H"
 
+namespace
+{
+    //- The lane that a plane leaves free: what side walls would take of the momentum of
+    //  a node, were it to slide [N s]
+    constexpr int sideLane = 3;
+}
+
+
 Foam::lanes Foam::materialPointMethod::toLanes
 (
     const scalar first,
@@ -76,7 +84,7 @@ void Foam::materialPointMethod::momentumToNodes(const scalar dt)
         lanes value(toLanes(p.mass[i], momentum));
         if (APIC && sideFriction_ > 0)
         {
-            value[3] = sideImpulse(i, dt);
+            value[sideLane] = sideImpulse(i, dt);
         }
         splineStencil<D>(grid_, p.x[i]).add(nodes_[fieldOf(i)], value, slope);
     }
@@ -107,7 +115,7 @@ void Foam::materialPointMethod::forceToNodes(const scalar dt)
         lanes value(toLanes(0, dt*p.force[i]));
         if (sideFriction_ > 0)
         {
-            value[3] = sideImpulse(i, dt);
+            value[sideLane] = sideImpulse(i, dt);
         }
         splineStencil<D>(grid_, p.x[i]).add(change_[fieldOf(i)], value, slope);
     }
@@ -147,8 +155,8 @@ void Foam::materialPointMethod::moveNodes(const scalar dt)
             node[0] = m;
             if (sideFriction_ > 0)
             {
-                braking_[field][i] = node[3];
-                node[3] = 0;
+                braking_[field][i] = node[sideLane];
+                node[sideLane] = 0;
             }
         }
     }

@@ -317,3 +317,11 @@ void Foam::materialPointsPhase::refresh()
 
     nLeft_ = returnReduce(method_.nLeft(), sumOp<label>());
 }
+
+
+bool Foam::materialPointsPhase::isOutlet(const polyPatch& patch) const
+{
+    return
+        keywords::patterns(dict_, "outflow", mesh_.boundaryMesh().names())
+       .match(patch.name());
+}
