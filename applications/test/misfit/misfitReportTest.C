@@ -177,6 +177,24 @@ TEST(misfitReport, theRecordIsOfItsSchemaAndReadsBackAsItWasFound)
 }
 
 
+TEST(misfitReport, theRecordOfASetHasTheMembersOfEach)
+{
+    finding f(found());
+    f.verdict.kind = verdictKind::set;
+    f.verdict.names.clear();
+    hypothesisFit fault;
+    fault.what.fault = possibleFaults(f.detection.data, {faultKind::gain}).front();
+    f.verdict.alternatives = {mechanisms({0, 1}), fault};
+    const auto all = nlohmann::json::parse(verdictJson(f, "case"))["alternatives"];
+    ASSERT_EQ(all.size(), 2);
+    EXPECT_EQ(all[0]["mechanisms"], nlohmann::json({"porePressure", "walls"}));
+    EXPECT_TRUE(all[0]["channel"].is_null());
+    EXPECT_TRUE(all[1]["mechanisms"].empty());
+    EXPECT_EQ(all[1]["channel"], "P1");
+    EXPECT_TRUE(all[1]["partner"].is_null());
+}
+
+
 TEST(misfitReport, oneFileHoldsWordsAndPictures)
 {
     const temporaryFolder scratch;
