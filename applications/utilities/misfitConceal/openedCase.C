@@ -22,7 +22,7 @@ struct detectability
 {
     recordings recorded;
 
-    predictedSampler ask;
+    predictedSampler simulation;
 
     const settings set;
 
@@ -36,10 +36,10 @@ struct detectability
     detectability(concealedSide& library, const fileName& caseFolder)
     :
         recorded(library.recorded(caseFolder)),
-        ask(recorded, library, library.trainingEnsemble()),
+        simulation(recorded, library, library.trainingEnsemble()),
         set(readSettings(library.dict())),
-        visible(misfit::visible(ask, set)),
-        data(ask.data().first().calibration)
+        visible(misfit::visible(simulation, set)),
+        data(simulation.data().first().calibration)
     {}
 
 

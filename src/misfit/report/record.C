@@ -26,7 +26,7 @@ json deviation(const scalar value, const bool pinned)
 json parameters(const finding& f)
 {
     json all = json::array();
-    const fitResult& with = f.best().best;
+    const fitResult& with = f.best().fit;
     forAll(f.detection.parameters, i)
     {
         const calibratedParameter& p = f.detection.parameters[i];
@@ -58,7 +58,7 @@ json fault(const finding& f)
     {
         return nullptr;
     }
-    const fitResult& best = f.best().best;
+    const fitResult& best = f.best().fit;
     const label n = what.fault->size();
     json deviations = json::array();
     for (label i = best.x.size() - n; i < best.x.size(); ++i)
