@@ -79,7 +79,7 @@ Foam::demCoupling::demCoupling
     locateGrains();
     checkInside();
     // In a surge soft grains dent deeper than a packing may
-    if (!phase_->restarted() && phase_->touchesAtRadius())
+    if (!phase_->restarted() && phase_->hasContactRadius())
     {
         checkWalls();
     }
@@ -104,7 +104,7 @@ Foam::demCoupling::demCoupling(const fvMesh& mesh, const vector& g)
 {
     locateGrains();
     checkInside();
-    if (!phase_->restarted() && phase_->touchesAtRadius())
+    if (!phase_->restarted() && phase_->hasContactRadius())
     {
         checkWalls();
     }
