@@ -52,7 +52,6 @@ Foam::materialPointMethod::materialPointMethod
     grid_(grid),
     walls_(grid_),
     outlets_(grid_),
-    hasOutlets_(false),
     gateSide_(0),
     g_(g),
     flipShare_(flipShare(dict)),
@@ -60,7 +59,6 @@ Foam::materialPointMethod::materialPointMethod
     densityAveraging_(dict.getOrDefault<Switch>("densityAveraging", false)),
     shifting_(dict.getOrDefault<Switch>("shifting", false)),
     courant_(dict.getOrDefault<scalar>("courant", 0.4)),
-    open_(false),
     nLeft_(0),
     sinceSorted_(sortInterval),
     nodes_(1)

@@ -2,6 +2,7 @@
 // The material-point method: from points to nodes and back.
 
 #include "materialPointMethod.H"
+#include "sharedNodes.H"
 
 Foam::lanes Foam::materialPointMethod::toLanes
 (
@@ -29,15 +30,6 @@ Foam::vector Foam::materialPointMethod::toVector(const lanes& l) const
 }
 
 
-void Foam::materialPointMethod::clear(std::vector<nodeLanes>& fields)
-{
-    for (nodeLanes& nodes : fields)
-    {
-        std::fill(nodes.begin(), nodes.end(), lanes(lanes::Zero()));
-    }
-}
-
-
 template<int D>
 void Foam::materialPointMethod::momentumToNodes(const scalar dt)
 {
@@ -45,7 +37,7 @@ void Foam::materialPointMethod::momentumToNodes(const scalar dt)
     const scalar h = grid_.h();
     const pointSet& p = points_;
 
-    clear(nodes_);
+    setZero(nodes_);
 
     forAll(p.x, i)
     {
@@ -79,7 +71,7 @@ void Foam::materialPointMethod::momentumToNodes(const scalar dt)
         );
     }
 
-    share(nodes_);
+    sumShared(grid_, nodes_);
 }
 
 
@@ -89,7 +81,7 @@ void Foam::materialPointMethod::forceToNodes(const scalar dt)
     const scalar h = grid_.h();
     const pointSet& p = points_;
 
-    clear(change_);
+    setZero(change_);
 
     forAll(p.x, i)
     {
@@ -108,7 +100,7 @@ void Foam::materialPointMethod::forceToNodes(const scalar dt)
         );
     }
 
-    share(change_);
+    sumShared(grid_, change_);
 }
 
 
