@@ -27,9 +27,9 @@ FNR == 1 {
     sub(/\.dat$/, "", kind)
     object = part[m - 2]
     if (!(kind in first)) first[kind] = object
-    wanted = first[kind] == object
+    isFirst = first[kind] == object
 }
-!wanted { next }
+!isFirst { next }
 /^# Probe/ {
     place = $0
     sub(/.*\(/, "", place); sub(/\).*/, "", place)

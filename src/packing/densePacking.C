@@ -85,7 +85,7 @@ Foam::scalar Foam::densePacking::solidFraction() const
 }
 
 
-Foam::scalar Foam::densePacking::massAsked() const
+Foam::scalar Foam::densePacking::requiredMass() const
 {
     return positive(dict_.found("mass") ? "mass" : "grainMass");
 }
@@ -105,7 +105,7 @@ Foam::scalar Foam::densePacking::solidInBox(const scalar volume) const
     const scalar fluid =
         dict_.found("mass") ? positive("fluidDensity") : scalar(0);
 
-    return (massAsked() - fluid*volume)/(density_ - fluid);
+    return (requiredMass() - fluid*volume)/(density_ - fluid);
 }
 
 
@@ -126,9 +126,9 @@ void Foam::densePacking::fillBox()
     )
     {
         const scalar needed =
-            massAsked()/(massPerSolid(solidFraction())*solidFraction());
+            requiredMass()/(massPerSolid(solidFraction())*solidFraction());
         FatalIOErrorInFunction(dict_)
-            << "Mass and box contradict each other: " << massAsked()
+            << "Mass and box contradict each other: " << requiredMass()
             << " kg in the box of " << volume << " m3 is a solid fraction of "
             << solid/volume << ", not " << solidFraction() << ", which would"
             << " take a box of " << needed << " m3, "
@@ -158,12 +158,12 @@ void Foam::densePacking::fillFoot()
     }
 
     const scalar fraction = solidFraction();
-    diameters_ = sizes_.forVolume(massAsked()/massPerSolid(fraction));
+    diameters_ = sizes_.forVolume(requiredMass()/massPerSolid(fraction));
 
     const scalar solid = sphereVolume(diameters_);
     const scalar volume =
         dict_.found("mass")
-      ? solid + (massAsked() - density_*solid)/positive("fluidDensity")
+      ? solid + (requiredMass() - density_*solid)/positive("fluidDensity")
       : solid/fraction;
 
     bounds_ = boundBox

@@ -38,7 +38,7 @@ function end(how)
     sub(/:$/, "", which)
     begin(which)
     verdict[which] = "failed"
-    said[which] = said[which] $0 "\n"
+    output[which] = output[which] $0 "\n"
     next
 }
 
@@ -62,18 +62,18 @@ test != "" && /^\[  FAILED  \]/ { end("failed"); next }
 /^\[[-=]+\]|^\[  PASSED  \]|^\[  FAILED  \]/ { next }
 
 {
-    said[test] = said[test] $0 "\n"
+    output[test] = output[test] $0 "\n"
     all = all $0 "\n"
 }
 
 END {
     for (i = 1; i <= n; i++)
         if (verdict[tests[i]] != "")
-            tell(verdict[tests[i]], tests[i], said[tests[i]])
+            tell(verdict[tests[i]], tests[i], output[tests[i]])
     if (ended && !n) tell("failed", "no test ran")
     if (ended && (failures || status == 0)) exit
     if (test == "")
         tell("failed", "the program broke off with status " status, all)
     else
-        tell("failed", test " broke off with status " status, said[test] said[""])
+        tell("failed", test " broke off with status " status, output[test] output[""])
 }

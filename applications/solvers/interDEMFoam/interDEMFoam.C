@@ -95,7 +95,7 @@ int main(int argc, char *argv[])
             const stageTimes::stage stage(coupling.times(), "fluidSolution");
             #include "fluidStep.H"
         }
-        checkSpeed(U, lastLook);
+        checkSpeed(U, writeState);
 
         coupling.addFluidStep
         (

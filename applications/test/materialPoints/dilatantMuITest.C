@@ -234,7 +234,7 @@ TEST(dilatantMuI, theReturnIsConsistent)
                 law.update(one.points, 0, one.dilation, dt);
                 const scalar rate = (trial - one.rootJ2())/(G*dt);
                 const scalar now = one.pressure();
-                const scalar limit = law.strength(rate, now, phi);
+                const scalar limit = law.yieldLimit(rate, now, phi);
 
                 ASSERT_GE(rate, -1e-9);
                 ASSERT_LE(one.rootJ2(), limit*(1 + 1e-6) + 1e-6);
@@ -282,7 +282,7 @@ TEST(dilatantMuI, thinMaterialThatIsShearedFastComesBackToTheSurface)
 
         law.update(one.points, 0, one.dilation, dt);
         const scalar rate = (trial - one.rootJ2())/(law.shearModulus()*dt);
-        const scalar limit = law.strength(rate, one.pressure(), 0.2);
+        const scalar limit = law.yieldLimit(rate, one.pressure(), 0.2);
         ASSERT_LE(one.rootJ2(), limit*(1 + 1e-6) + 1e-6) << n;
     }
 }

@@ -87,7 +87,7 @@ struct grainAndPoint
 
 
 //- The error for a grain that touches the point
-std::string saidOf
+std::string messageOf
 (
     const scalar radius,
     const scalar mass,
@@ -146,9 +146,9 @@ TEST(grainPointContact, nothingActsAcrossASlice)
 
 TEST(grainPointContact, aGrainLighterThanAPointIsRefused)
 {
-    EXPECT_EQ(saidOf(0.02, 0.02), "nothing");
+    EXPECT_EQ(messageOf(0.02, 0.02), "nothing");
 
-    const std::string error(saidOf(0.02, 0.0199));
+    const std::string error(messageOf(0.02, 0.0199));
     EXPECT_NE(error.find("lighter than a point"), std::string::npos) << error;
     EXPECT_NE(error.find("the point 7 of 0.02 kg"), std::string::npos) << error;
     EXPECT_NE(error.find("cellSize"), std::string::npos) << error;
@@ -158,20 +158,20 @@ TEST(grainPointContact, aGrainLighterThanAPointIsRefused)
 TEST(grainPointContact, aGrainThatSlipsBetweenPointsIsRefused)
 {
     // Amid four points of a square: (sqrt(2) - 1) of 5 mm
-    EXPECT_EQ(saidOf(0.00208, 0.1, true), "nothing");
+    EXPECT_EQ(messageOf(0.00208, 0.1, true), "nothing");
     EXPECT_NE
     (
-        saidOf(0.00206, 0.1, true).find("slip between points"),
+        messageOf(0.00206, 0.1, true).find("slip between points"),
         std::string::npos
     );
 
     // Points of a plane touch, unless their radius is less
-    EXPECT_EQ(saidOf(0.001, 0.1), "nothing");
+    EXPECT_EQ(messageOf(0.001, 0.1), "nothing");
     const string thin("stiffness 1000; radius 3e-3;");
-    EXPECT_EQ(saidOf(0.0021, 0.1, false, thin), "nothing");
+    EXPECT_EQ(messageOf(0.0021, 0.1, false, thin), "nothing");
     EXPECT_NE
     (
-        saidOf(0.0019, 0.1, false, thin).find("slip between points"),
+        messageOf(0.0019, 0.1, false, thin).find("slip between points"),
         std::string::npos
     );
 }

@@ -192,8 +192,8 @@ label contradicted(const scalar shown, const scalar effect, const label worlds)
 
         hypothesisFit best;
         best.what.mechanisms = {3};
-        best.best.x = vec::Zero(world::nParameters + 1);
-        best.best.x[world::nParameters] = 1;
+        best.fit.x = vec::Zero(world::nParameters + 1);
+        best.fit.x[world::nParameters] = 1;
         best.covariance = fitted.uncertainty().at(fitted.data().y);
 
         const vec without = vec::Zero(runs.w.bounds.mean.size());

@@ -18,10 +18,10 @@ namespace
 
 //- Evidence of a world whose gauge P3 departs from the start of its surge, P1 at 2 s, and
 //  P2 and H1 not at all
-evidence twoDeparting()
+stageResults twoDeparting()
 {
     const world w(40);
-    evidence e;
+    stageResults e;
     e.detection.data = w.data;
     e.detection.data.y = w(w.bounds.mean);
     e.detection.sigma = vec::Constant(w.data.size(), 10);
@@ -62,7 +62,7 @@ TEST(misfitDepartures, whatDiffersFirstStandsFirst)
 
 TEST(misfitDepartures, whatDoesNotRiseDoesNotArrive)
 {
-    evidence e(twoDeparting());
+    stageResults e(twoDeparting());
     const world w(40);
     w.data.segments[1].of(e.detection.data.y).setConstant(7);
     for (const departure& d : departuresOf(e, w(w.bounds.mean), worldSettings()))
@@ -80,7 +80,7 @@ TEST(misfitDepartures, noiseNeitherArrivesNorDiffers)
     std::mt19937 generator(49);
     const world w(40);
     const vec simulated = w(w.bounds.mean);
-    evidence e;
+    stageResults e;
     e.detection.data = w.data;
     e.detection.covariance = mat::Zero(w.data.size(), w.data.size());
     for (const segment& s : w.data.segments)
@@ -127,7 +127,7 @@ TEST(misfitDepartures, noiseBeforeASmallRiseIsNotItsArrival)
     {
         steps[s.first + k] = s.x[k] > 3 ? 5 : 0;
     }
-    evidence e;
+    stageResults e;
     e.detection.data = w.data;
     e.detection.covariance = mat::Identity(w.data.size(), w.data.size());
     std::normal_distribution<scalar> normal;
@@ -152,7 +152,7 @@ TEST(misfitDepartures, noiseBeforeASmallRiseIsNotItsArrival)
 
 TEST(misfitDepartures, eachHasItsExperiment)
 {
-    evidence e(twoDeparting());
+    stageResults e(twoDeparting());
     e.detection.data.segments[0].experiment = "A";
     e.detection.data.segments[2].experiment = "B";
     const world w(40);

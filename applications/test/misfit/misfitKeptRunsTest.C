@@ -19,7 +19,7 @@ struct fakeRuns
 
     List<runState> states;
 
-    fakePredictor ask;
+    fakePredictor solver;
 
     keptRuns kept;
 
@@ -33,8 +33,8 @@ struct fakeRuns
     )
     :
         of(c),
-        ask(c, "jobs 1; " + more),
-        kept{c.folder()/"kept/runs.txt", head, ask.recorded, states, {}, 0.5}
+        solver(c, "jobs 1; " + more),
+        kept{c.folder()/"kept/runs.txt", head, solver.recorded, states, {}, 0.5}
     {
         for (const scalar s : slopes)
         {
@@ -45,7 +45,7 @@ struct fakeRuns
 
     List<prediction> predictions(const label most = labelMax, const label batch = 2)
     {
-        return kept.predictions(ask.predict, most, batch);
+        return kept.predictions(solver.predict, most, batch);
     }
 
     std::string text() const

@@ -39,7 +39,7 @@ public:
         refitSteps with;
         with.expand = [](const hypothesisFit& n)
         {
-            return n.best.x;
+            return n.fit.x;
         };
         with.compute = [this](const vec& x)
         {
@@ -55,16 +55,16 @@ public:
         };
         with.stay = [this](hypothesisFit n)
         {
-            n.score = sqr(given_ + n.best.x[0] - at_);
+            n.score = sqr(given_ + n.fit.x[0] - at_);
             return n;
         };
         with.fit = [this](hypothesisFit n)
         {
-            n.best.x[0] = at_ - given_;
+            n.fit.x[0] = at_ - given_;
             return n;
         };
         hypothesisFit n;
-        n.best.x = vec::Constant(1, start);
+        n.fit.x = vec::Constant(1, start);
         return refit(n, rules(), vec::Constant(1, 1), with);
     }
 };
@@ -158,7 +158,7 @@ TEST(misfitRefit, aSurfaceThatIsNearlyRightIsFollowed)
 {
     const evaluation s(steepSolver(1.2).from(1));
     EXPECT_NEAR(s.variables[0], 0, 0.05);
-    EXPECT_NEAR(s.best.best.x[0], 0, 0.01);
+    EXPECT_NEAR(s.best.fit.x[0], 0, 0.01);
 }
 
 
@@ -166,7 +166,7 @@ TEST(misfitRefit, whatGoesToAndFroTurnsBackAndEndsWhereItWasComputed)
 {
     const evaluation s(steepSolver(3).from(1));
     EXPECT_LT(mag(s.variables[0]), 0.3);
-    EXPECT_EQ(s.best.best.x[0], s.variables[0]);
+    EXPECT_EQ(s.best.fit.x[0], s.variables[0]);
     EXPECT_EQ(s.given.calibration[0], 3*s.variables[0]);
     EXPECT_NEAR(s.best.score, sqr(3*s.variables[0]), 1e-12);
 }
@@ -186,5 +186,5 @@ TEST(misfitRefit, whereTheSolverFailsAtOnceTheFitStaysAndSaysWhy)
     const evaluation s(steepSolver(1, 2).from(1));
     EXPECT_EQ(s.failure, "below the limit");
     EXPECT_EQ(s.variables.size(), 0);
-    EXPECT_EQ(s.best.best.x[0], 1);
+    EXPECT_EQ(s.best.fit.x[0], 1);
 }

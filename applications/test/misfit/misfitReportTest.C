@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The record and the report of a diagnosis: whole, readable by programs, and
-// with all that a reader needs in one file.
+// The report of a diagnosis: with all that a reader needs in one file.
 
-#include "report.H"
-#include "jsonSchema.H"
-#include "misfitWorld.H"
 #include "temporaryFolder.H"
 #include "terminalOutput.H"
+#include "testFinding.H"
 #include "words.H"
 
-#include "StringStream.H"
-
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <fstream>
-#include <limits>
 
 using namespace Foam;
 using namespace Foam::misfit;
@@ -23,101 +16,12 @@ using namespace Foam::misfit;
 namespace
 {
 
-//- What a diagnosis of the world could have found
-finding found()
-{
-    world w(20);
-    const vec base = w(w.bounds.mean);
-    vec x = w.bounds.mean;
-    x[world::nParameters] = 0.7;
-    w.data.y = w(x);
-
-    finding f;
-    f.verdict.kind = verdictKind::named;
-    f.verdict.names = {"porePressure"};
-    f.verdict.confidence = 0.9;
-    f.verdict.grounds.resize(groundNames.size());
-    f.verdict.grounds << 3.5, 0.001, 2, 0.75, 1, 0;
-    f.detection.calibrated = {0.001, 0.001, 0.001, 100, {{0, 5, 9, 12}}};
-    f.detection.raw = f.detection.calibrated;
-    f.verdict.located = {{{0, 5, 9, 12}, 50}};
-    f.verdict.strengths.append({"porePressure", 0.7, 0.1, false});
-    for (label kind = 0; kind <= label(gateKind::placebo); ++kind)
-    {
-        f.tests.gates.addNothing(gateKind(kind));
-    }
-    gate detection;
-    detection.kind = gateKind::detection;
-    detection.value = 0.001;
-    detection.limit = 0.05;
-    f.tests.gates.add(detection);
-    f.detection.data = w.data;
-    f.verdict.before = base;
-    f.verdict.after = w.data.y;
-    f.detection.sigma = vec::Constant(base.size(), 20);
-    f.verdict.sigma = f.detection.sigma;
-    f.departures = {{"A", "P1", purpose::calibration, 0.4, 0.6, 0.35}};
-    f.detection.sources =
-    {
-        {"sensors", vec::Constant(base.size(), 12)},
-        {"mesh", vec::Constant(base.size(), 16)}
-    };
-    f.tests.held.append
-    ({
-        heldOut::part::validation, "A", purpose::validation, w.data, base, w.data.y,
-        f.detection.sigma, 9, 1, 1.5
-    });
-    hypothesisFit best;
-    best.what.mechanisms = {0};
-    best.score = 0;
-    f.explained = explanations({best});
-    f.library = {"porePressure", "walls"};
-    return f;
-}
-
-
-//- The explanation that is judged
-hypothesis& judged(finding& f)
-{
-    return f.explained.all().front().what;
-}
-
-
-hypothesisFit mechanisms(const std::vector<int>& on)
-{
-    hypothesisFit w;
-    w.what.mechanisms = on;
-    return w;
-}
-
-
-gate notAsked(const gateKind kind)
+gate notApplicable(const gateKind kind)
 {
     gate g;
     g.kind = kind;
     g.applies = false;
     return g;
-}
-
-
-//- Where it comes from
-origin today()
-{
-    origin from;
-    from.title = "a case";
-    from.date = "2026 May 03";
-    from.experiments = {{"A", "P1, P2", "P3", "", "surge.csv"}};
-    const dictionary changes
-    (
-        IStringStream
-        (
-            "pore { title \"water that cannot leave at once\";"
-            " changes ({ file \"constant/grains\"; entry pressure; }); }"
-        )()
-    );
-    from.candidates = readCandidates(changes);
-    from.candidates[0].name = "porePressure";
-    return from;
 }
 
 
@@ -136,45 +40,6 @@ std::string box(const finding& f)
 }
 
 } // End anonymous namespace
-
-
-TEST(misfitReport, theRecordIsReadableByPrograms)
-{
-    const auto j = nlohmann::json::parse(verdictJson(found(), "case"));
-    EXPECT_EQ(j["verdict"], "named");
-    EXPECT_EQ(j["names"][0], "porePressure");
-    EXPECT_EQ(j["words"], describe(found()));
-    EXPECT_EQ(j["located"][0]["channel"], "P1");
-    EXPECT_EQ(j["gates"][0]["name"], "detection");
-    EXPECT_EQ(j["gates"][0]["value"], 0.001);
-    EXPECT_EQ(j["gates"][0]["bound"], "below");
-    EXPECT_TRUE(j["gates"][0]["limit"].is_number());
-    EXPECT_EQ(j["gates"][0]["result"], "passed");
-    EXPECT_EQ(j["heldOut"][0]["meanSquareAfter"], 1);
-    EXPECT_NEAR(j["uncertainty"]["P1"]["whole"], 20, 1e-9);
-    EXPECT_NEAR(j["uncertainty"]["P1"]["mesh"], 16, 1e-9);
-}
-
-
-TEST(misfitReport, theRecordIsOfItsSchemaAndReadsBackAsItWasFound)
-{
-    const finding f(found());
-    const auto j = nlohmann::json::parse(verdictJson(f, "case"));
-    expectOfSchema("verdict.schema.json", j);
-    EXPECT_EQ(j["departures"][0]["differsFrom"], 0.35);
-    EXPECT_EQ(verdictNames[word(j["verdict"].get<std::string>())], f.verdict.kind);
-    EXPECT_EQ(j["names"].get<std::vector<std::string>>().front(), f.verdict.names[0]);
-    EXPECT_EQ(j["confidence"], f.verdict.confidence);
-    EXPECT_EQ(j["confidenceFrom"].size(), groundNames.size());
-    EXPECT_EQ(j["confidenceFrom"]["lead"], 3.5);
-    EXPECT_EQ(j["confidenceFrom"]["more"], 0);
-    EXPECT_EQ(j["strengths"][0]["name"], f.verdict.strengths[0].name);
-    EXPECT_EQ(j["strengths"][0]["value"], f.verdict.strengths[0].value);
-    EXPECT_EQ(j["detection"]["p"], f.detection.calibrated.p);
-    EXPECT_EQ(j["heldOut"][0]["what"], describe(f.tests.held[0]));
-    EXPECT_EQ(j["heldOut"][0]["use"], purposeNames[f.tests.held[0].use]);
-    EXPECT_EQ(j["heldOut"][0]["meanSquareBefore"], f.tests.held[0].squareBefore);
-}
 
 
 TEST(misfitReport, oneFileHoldsWordsAndPictures)
@@ -279,9 +144,9 @@ TEST(misfitReport, theConfidenceSaysOfWhat)
     f.verdict.names = {"P1"};
     judged(f).mechanisms.clear();
     judged(f).fault = possibleFaults(f.detection.data, {faultKind::gain}).front();
-    f.explained.all().front().best.x = vec::Constant(1, 0.2);
-    f.explained.all().front().best.pinned = {false};
-    f.explained.all().front().best.covariance = mat::Zero(1, 1);
+    f.explained.all().front().fit.x = vec::Constant(1, 0.2);
+    f.explained.all().front().fit.pinned = {false};
+    f.explained.all().front().fit.covariance = mat::Zero(1, 1);
     EXPECT_TRUE(says(box(f), "P1 reads 20 % too high"));
     EXPECT_TRUE(says(box(f), "90 % that the fault is at P1"));
     EXPECT_FALSE(says(box(f), "in all of which it was the clock"));
@@ -328,8 +193,8 @@ TEST(misfitReport, aGateThatCouldNotBeAskedIsToldFromOneWithNothingToAsk)
     {
         f.tests.gates.addNothing(gateKind(kind));
     }
-    f.tests.gates.add(notAsked(gateKind::adequacy));
-    f.tests.gates.add(notAsked(gateKind::stability));
+    f.tests.gates.add(notApplicable(gateKind::adequacy));
+    f.tests.gates.add(notApplicable(gateKind::stability));
     const std::string known(reportHtml(f, today(), {}));
     EXPECT_TRUE(says(known, "nothing to test"));
     EXPECT_FALSE(says(known, "not tested"));
@@ -385,32 +250,6 @@ TEST(misfitReport, noNumberIsTooLargeToRead)
 }
 
 
-TEST(misfitReport, aNumberInASentenceHasNoExponent)
-{
-    EXPECT_EQ(numberWords(0.125), "0.125");
-    EXPECT_EQ(numberWords(1.5e-6), "1.5e-06");
-    EXPECT_EQ(numberWords(9999.6), "10000");
-    EXPECT_EQ(numberWords(123456, 3), "123000");
-    EXPECT_EQ(numberWords(-123456, 2), "-120000");
-    EXPECT_EQ(numberWords(2e17), "more than 1000000000");
-    EXPECT_EQ(ratioWords(-1e6), "less than -100000");
-    EXPECT_EQ(ratioWords(99999, 3), "100000");
-    EXPECT_EQ(percentWords(-0.001), "0 %");
-    EXPECT_EQ(percentWords(11), "more than 1000 %");
-    EXPECT_EQ(percentWords(0), "0 %");
-    EXPECT_EQ(percentWords(1), "100 %");
-    EXPECT_EQ(percentWords(0.004), "less than 1 %");
-    EXPECT_EQ(percentWords(0.006), "1 %");
-    EXPECT_EQ(percentWords(0.994), "99 %");
-    EXPECT_EQ(percentWords(0.9996), "more than 99 %");
-    EXPECT_EQ(percentWords(1.004), "100 %");
-    const scalar nan = std::numeric_limits<scalar>::quiet_NaN();
-    EXPECT_EQ(percentWords(nan), "not known");
-    EXPECT_EQ(numberWords(nan), "not known");
-    EXPECT_EQ(ratioWords(-std::numeric_limits<scalar>::infinity()), "less than -100000");
-}
-
-
 TEST(misfitReport, theMapHasTheUncertaintyThatEachSideHas)
 {
     const temporaryFolder scratch;
@@ -423,21 +262,6 @@ TEST(misfitReport, theMapHasTheUncertaintyThatEachSideHas)
     map >> from >> to >> row >> before >> after;
     EXPECT_NEAR(before, (f.detection.data.y[0] - f.verdict.before[0])/20, 1e-3);
     EXPECT_NEAR(after, 1, 1e-3);
-}
-
-
-TEST(misfitReport, theTerminalSaysOfWhatTheConfidenceIs)
-{
-    finding f(found());
-    f.verdict.kind = verdictKind::registration;
-    f.verdict.names = {"P1", "P2"};
-    judged(f).mechanisms.clear();
-    judged(f).fault = possibleFaults(f.detection.data, {faultKind::swapped}).front();
-    f.explained.all().front().best.x.resize(0);
-    const std::string text(summaryOf(f, "misfit"));
-    expectHolds(text, "Confidence 90 % that the fault is at P1 and P2");
-    expectHolds(text, "in all of which it was the clock");
-    expectHolds(text, "misfit/verdict.json");
 }
 
 

@@ -103,6 +103,11 @@ TEST(misfitSchema, eachKindOfVerdictIsOfIt)
     {
         const nlohmann::json record(written(diagnose(*kind.first)));
         EXPECT_EQ(record["verdict"], kind.second);
+        EXPECT_EQ
+        (
+            record["alternatives"].size(),
+            record["verdict"] == "set" ? record["names"].size() : 0
+        );
         expectOfSchema(ofVerdict, record);
     }
 }
@@ -167,6 +172,12 @@ TEST(misfitSchema, aWrongRecordIsRefused)
     wrong = right;
     wrong["gates"][0]["value"] = "0.001";
     expectRefused(wrong, "value");
+
+    // As of a set
+    wrong = right;
+    wrong["alternatives"] =
+        {{{"mechanisms", {"porePressure"}}, {"channel", nullptr}, {"partner", nullptr}}};
+    expectRefused(wrong, "conditional");
 
     wrong = right;
     wrong["strengths"][0].erase("deviation");

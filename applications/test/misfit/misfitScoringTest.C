@@ -121,12 +121,12 @@ TEST(misfitScoring, whatAClockMovesBeyondTheEndsDoesNotCount)
         )
     );
     const hypothesisModel model(w.data, surface, w.bounds, late);
-    const vec unknowns = model.ofFault(found.best.x);
+    const vec unknowns = model.ofFault(found.fit.x);
     EXPECT_NEAR(unknowns[0], -0.6, 0.02);
-    EXPECT_LT(found.best.misfit, 5);
+    EXPECT_LT(found.fit.misfit, 5);
 
     // Each of these costs what a right explanation leaves on average
-    EXPECT_NEAR(found.best.objective - found.best.misfit, 6, 0.5);
+    EXPECT_NEAR(found.fit.objective - found.fit.misfit, 6, 0.5);
 }
 
 
@@ -178,7 +178,7 @@ TEST(misfitScoring, numbersAloneNameAMechanism)
         )
     );
     EXPECT_EQ(list.front().what.mechanisms, std::vector<int>({0}));
-    EXPECT_NEAR(list.front().best.x[1], 0.8, 0.1);
+    EXPECT_NEAR(list.front().fit.x[1], 0.8, 0.1);
     for (const hypothesisFit& w : list)
     {
         EXPECT_TRUE(std::isfinite(w.score));
@@ -212,7 +212,7 @@ TEST(misfitScoring, theBetterOfTwoMinimaIsFound)
             h, statistics::whitener(0.01*mat::Identity(2, 2))
         )
     );
-    EXPECT_NEAR(found.best.x[0], 0.95, 1e-3);
+    EXPECT_NEAR(found.fit.x[0], 0.95, 1e-3);
 }
 
 

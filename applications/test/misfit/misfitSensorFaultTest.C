@@ -107,7 +107,7 @@ TEST(misfitSensorFault, oneThatShowsNothingAboveAValueIsSaturated)
         const scalar c = f.minCoeff() + share*range;
         const finding found(diagnosed(f.cwiseMin(c)));
         expectP1(found, verdictKind::sensor, faultKind::saturated);
-        EXPECT_NEAR(found.best().best.x.tail(1)[0], c, 0.05*range);
+        EXPECT_NEAR(found.best().fit.x.tail(1)[0], c, 0.05*range);
     }
 }
 

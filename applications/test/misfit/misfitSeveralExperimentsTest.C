@@ -135,15 +135,15 @@ TEST(misfitSeveralExperiments, aStateRunsInEachAndGivesTheSamplesOfAll)
 {
     const recordings all(readAll(threeExperiments));
     contrary solver(all);
-    predictedSampler ask(all, solver);
-    ASSERT_EQ(ask.data().size(), 2);
-    EXPECT_EQ(ask.data().first().experiment, "A+B");
-    EXPECT_EQ(ask.data().first().calibration.size(), 8);
+    predictedSampler simulation(all, solver);
+    ASSERT_EQ(simulation.data().size(), 2);
+    EXPECT_EQ(simulation.data().first().experiment, "A+B");
+    EXPECT_EQ(simulation.data().first().calibration.size(), 8);
 
     runState s;
     s.experiment = "A+B";
     s.strengths.set("second", 1);
-    const samples given(ask({s}).first());
+    const samples given(simulation({s}).first());
     EXPECT_EQ(solver.ran, wordList({"A", "B"}));
     ASSERT_EQ(given.calibration.size(), 8);
     EXPECT_DOUBLE_EQ(given.calibration[0], 1);
@@ -156,12 +156,12 @@ TEST(misfitSeveralExperiments, whatFailsInOneFailsAndIsNamed)
     const recordings all(readAll(threeExperiments));
     contrary solver(all);
     solver.failing = "B";
-    predictedSampler ask(all, solver);
+    predictedSampler simulation(all, solver);
     runState s;
     s.experiment = "A+B";
-    EXPECT_EQ(ask({s}).first().failure, "B: no luck");
+    EXPECT_EQ(simulation({s}).first().failure, "B: no luck");
     s.experiment = "C";
-    EXPECT_TRUE(ask({s}).first().ok());
+    EXPECT_TRUE(simulation({s}).first().ok());
 }
 
 
@@ -169,9 +169,9 @@ TEST(misfitSeveralExperiments, whatOneCannotTellApartIsNamedByBoth)
 {
     const recordings all(readAll(threeExperiments));
     contrary solver(all);
-    predictedSampler ask(all, solver);
+    predictedSampler simulation(all, solver);
     const settings set(twoMechanisms());
-    const finding both(diagnose(ask, set));
+    const finding both(diagnose(simulation, set));
     expectAnswer(both, "named", {"second"});
 
     const recordings one

@@ -108,7 +108,7 @@ TEST(misfitStability, aSetThatHangsOnAChannelBesidesStillSaysWhatToMeasure)
     EXPECT_FALSE(f.verdict.weakened);
     ASSERT_FALSE(f.tests.winners.empty());
     EXPECT_EQ(f.tests.winners.front().channel, "P2");
-    EXPECT_TRUE(hasAll(f.tests.winners.front().what.what, {4}));
+    EXPECT_TRUE(hasAll(f.tests.winners.front().explanation.what, {4}));
     EXPECT_NE(f.verdict.measure.what, advice::kind::nothing);
     EXPECT_NE(f.verdict.measure.what, advice::kind::check);
 }

@@ -13,7 +13,7 @@ namespace
 
 //- The output before any run of the fake case, with these entries in a channel and
 //  these function objects in controlDict
-std::string saidBefore
+std::string outputBefore
 (
     const fakeCase& c,
     const std::string& channel,
@@ -43,16 +43,16 @@ std::string saidBefore
 TEST(misfitTables, aFunctionObjectThatIsNotThereIsTold)
 {
     const fakeCase c;
-    const std::string output(saidBefore(c, "", "outs { type x; } moved { type y; }"));
+    const std::string output(outputBefore(c, "", "outs { type x; } moved { type y; }"));
     expectHolds(output, "channel y");
     expectHolds(output, "function object out writes");
     expectHolds(output, "none of that name: outs moved");
     EXPECT_EQ(c.count(), 0);
 
-    expectLacks(saidBefore(c, "", "out { type x; }"), "function object");
+    expectLacks(outputBefore(c, "", "out { type x; }"), "function object");
 
     // The solver writes the table by itself
-    expectLacks(saidBefore(c, "", ""), "function object");
+    expectLacks(outputBefore(c, "", ""), "function object");
 }
 
 
@@ -61,21 +61,21 @@ TEST(misfitTables, aTimeAtWhichNothingIsWrittenIsTold)
     const fakeCase c;
     c.write("r.csv", "x_m,y_m\n0,0\n1,2\n2,4\n");
     const std::string writes("out { type x; writeControl writeTime; }");
-    const std::string output(saidBefore(c, "at 0.25;", writes));
+    const std::string output(outputBefore(c, "at 0.25;", writes));
     expectHolds(output, "channel y is at 0.25 s");
     expectHolds(output, "writes every 0.2 s: the nearest is 0.2 s");
-    expectLacks(saidBefore(c, "at 0.6;", writes), "the nearest");
-    expectLacks(saidBefore(c, "at 0.25;", "out { type x; }"), "the nearest");
+    expectLacks(outputBefore(c, "at 0.6;", writes), "the nearest");
+    expectLacks(outputBefore(c, "at 0.25;", "out { type x; }"), "the nearest");
     expectHolds
     (
-        saidBefore
+        outputBefore
         (
             c, "at 0.25;",
             "out { type x; writeControl adjustableRunTime; writeInterval 0.1; }"
         ),
         "every 0.1 s"
     );
-    expectHolds(saidBefore(c, "at 3;", writes), "endTime of the experiment A is 2 s");
+    expectHolds(outputBefore(c, "at 3;", writes), "endTime of the experiment A is 2 s");
     EXPECT_EQ(c.count(), 0);
 }
 

@@ -74,7 +74,7 @@ TEST(misfitUnknown, aPushFollowsNumbersOfTheWaterThatTheCaseHas)
     met.insert(one[0].name, {-2, 0.1, 0.6, 1200, 0.05, 3});
 
     // Weight 3600 N/m3; Fr2 = 4/0.3; Fr2/Re = 0.05 x 2/(3 x 0.01)
-    const scalarList wanted
+    const scalarList expected
     ({
         -3600, -3600*4/0.3, -3600*0.05*2/0.03, -3600*0.4
     });
@@ -82,9 +82,9 @@ TEST(misfitUnknown, aPushFollowsNumbersOfTheWaterThatTheCaseHas)
     law.family = "push";
     law.functions = identity(4);
     const mat given(combinationOf(law, one, met));
-    forAll(wanted, i)
+    forAll(expected, i)
     {
-        EXPECT_NEAR(given(0, i)/wanted[i], 1, 1e-12) << i;
+        EXPECT_NEAR(given(0, i)/expected[i], 1, 1e-12) << i;
     }
 
     // What is not known has no laws

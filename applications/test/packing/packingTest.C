@@ -84,29 +84,6 @@ void expectClear
     );
 }
 
-
-//- What the error says that making such a packing ends with
-std::string complaint(const std::string& entries, const vector& g = down)
-{
-    try
-    {
-        model(entries, g)->make("/tmp");
-    }
-    catch (const Foam::error& e)
-    {
-        return e.message();
-    }
-    return "";
-}
-
-
-::testing::AssertionResult says(const std::string& text, const char* words)
-{
-    return text.find(words) != std::string::npos
-      ? ::testing::AssertionSuccess()
-      : ::testing::AssertionFailure() << '"' << text << "\" lacks " << words;
-}
-
 } // End anonymous namespace
 
 
@@ -328,111 +305,6 @@ TEST(packing, isKeptAndFoundByWhatItDependsOn)
 }
 
 
-TEST(packing, saysWhatIsWrong)
-{
-    const std::string box = "type dense; box (0 0 0) (0.3 0.3 0.3); ";
-    const std::string grain = "diameter 0.03; ";
-
-    EXPECT_TRUE(says(complaint("type heap; " + grain), "dense"));
-    EXPECT_TRUE(says(complaint("type heap; " + grain), "settled"));
-    EXPECT_TRUE
-    (
-        says(complaint(box + grain + "solidFraction 0.7;"), "out of range")
-    );
-    EXPECT_TRUE
-    (
-        says(complaint(box + "diameter 0.4; solidFraction 0.5;"), "too small")
-    );
-    EXPECT_TRUE
-    (
-        says
-        (
-            complaint
-            (
-                box + grain
-              + "solidFraction 0.5; mass 90; fluidDensity 1000;"
-            ),
-            "contradict"
-        )
-    );
-    EXPECT_TRUE
-    (
-        says
-        (
-            complaint
-            (
-                "type dense; box (0 0 0) (300 300 300); diameter 0.003;"
-                " solidFraction 0.5;"
-            ),
-            "in metres"
-        )
-    );
-    EXPECT_TRUE(says(complaint(box + grain), "Too little"));
-    EXPECT_TRUE
-    (
-        says
-        (
-            complaint(box + grain + "solidFraction 0.5; periodc (y);"),
-            "Unknown keyword periodc"
-        )
-    );
-    EXPECT_TRUE
-    (
-        says
-        (
-            complaint
-            (
-                "type settled; box (0 0 0) (0.6 0.1 0.05); diameter 0.01;"
-                " soldFraction 0.5; contact { youngsModulus 5e6;"
-                " poissonsRatio 0.3; restitution 0.4; friction 0.7;"
-                " rollingFriction 0.1; }"
-            ),
-            "Unknown keyword soldFraction"
-        )
-    );
-    EXPECT_TRUE
-    (
-        says
-        (
-            complaint
-            (
-                "type settled; box (0 0 0) (0.6 0.1 0.05); diameter 0.01;"
-                " contact { youngsModulus 5e6; poissonsRatio 0.3;"
-                " restitution 0.4; friction 0.7; rolingFriction 0.1; }"
-            ),
-            "Unknown keyword rolingFriction"
-        )
-    );
-    EXPECT_TRUE
-    (
-        says
-        (
-            complaint(box + grain + "solidFraction 0.5; periodic (w);"),
-            "x, y and z"
-        )
-    );
-    EXPECT_TRUE
-    (
-        says
-        (
-            complaint(box + "diameters ((0.03 0.5) (0.02 0.4)); "),
-            "sum to 1"
-        )
-    );
-}
-
-
-TEST(packing, namesTheLargestSolidFractionWhereWallsAreTooNear)
-{
-    const std::string text = complaint
-    (
-        "type dense; box (0 0 0) (0.05 0.05 0.5); diameter 0.03;"
-        " solidFraction 0.6;"
-    );
-    EXPECT_TRUE(says(text, "largest one reached"));
-}
-
-
 TEST(packing, settledBedIsLevelAndAtRestOnTheSlope)
 {
     const vector g = 9.81*vector(0.342, 0, -0.9397);
@@ -456,23 +328,4 @@ TEST(packing, settledBedIsLevelAndAtRestOnTheSlope)
     // The weight of the bed presses soft grains into each other
     EXPECT_GT(reached.get<scalar>("largestOverlap"), 0);
     EXPECT_LT(reached.get<scalar>("largestOverlap"), 0.03);
-}
-
-
-TEST(packing, aBedNeedsGravityTowardsItsFloor)
-{
-    EXPECT_TRUE
-    (
-        says
-        (
-            complaint
-            (
-                "type settled; box (0 0 0) (0.6 0.1 0.05); diameter 0.01;"
-                " contact { youngsModulus 5e6; poissonsRatio 0.3;"
-                " restitution 0.4; friction 0.7; rollingFriction 0.1; }",
-                vector(Zero)
-            ),
-            "constant/g"
-        )
-    );
 }

@@ -214,6 +214,7 @@ TEST(outputControl, aSignalEndsTheRunWithATimeThatIsWhole)
 
     EXPECT_EQ(course(*time, everyThird, false, 4), "sssssspw");
     EXPECT_TRUE(timeFolders::marked(*time));
+    EXPECT_TRUE(isFile(time->timePath()/"uniform/stopRequested"));
 }
 
 

@@ -51,8 +51,8 @@ Foam::List<Foam::misfit::runState> Foam::misfit::concealedSide::ensembleStates
     const label replicate
 )
 {
-    predictedSampler ask(bare_, solver_);
-    const List<plannedStage> stages(plan(ask, set));
+    predictedSampler simulation(bare_, solver_);
+    const List<plannedStage> stages(plan(simulation, set));
     List<runState> states;
     for (const word& e : bare_.experiments())
     {

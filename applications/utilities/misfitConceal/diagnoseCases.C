@@ -48,7 +48,7 @@ json rival(const finding& f, const scalar clockUncertainty)
 
 
 //- What the named mechanisms change at the fitted channels
-json effect(const finding& f, const settings& set, sampler& ask)
+json effect(const finding& f, const settings& set, sampler& simulation)
 {
     if (f.verdict.kind != verdictKind::named)
     {
@@ -59,10 +59,10 @@ json effect(const finding& f, const settings& set, sampler& ask)
     {
         names.append(set.candidates[m].name);
     }
-    const vec& x = f.best().best.x;
+    const vec& x = f.best().fit.x;
     const List<samples> two
     (
-        ask({stateOf(set, "A", names, x), stateOf(set, "A", wordList(), x)})
+        simulation({stateOf(set, "A", names, x), stateOf(set, "A", wordList(), x)})
     );
     return
         two[0].ok() && two[1].ok()
@@ -108,12 +108,12 @@ void Foam::misfit::diagnoseCases(concealedSide& library, const fileName& folder)
         }
         const recordings recorded(library.recorded(c));
         const settings set(concealedSide::known(given, c));
-        predictedSampler ask(recorded, library, library.trainingEnsemble());
-        const finding result(diagnose(ask, set));
+        predictedSampler simulation(recorded, library, library.trainingEnsemble());
+        const finding result(diagnose(simulation, set));
         const json proof =
         {
             {"gaussianProcess", rival(result, set.clockUncertainty)},
-            {"effect", effect(result, set, ask)}
+            {"effect", effect(result, set, simulation)}
         };
         writeWhole(c/"proof.json", proof.dump(1) + '\n');
         writeWhole(c/"verdict.json", verdictJson(result, c.name()));

@@ -5,7 +5,6 @@
 #include "diagnosis.H"
 
 #include "OSspecific.H"
-#include "stringOps.H"
 
 #include <algorithm>
 #include <map>
@@ -23,7 +22,7 @@ struct detectability
 {
     recordings recorded;
 
-    predictedSampler ask;
+    predictedSampler simulation;
 
     const settings set;
 
@@ -37,10 +36,10 @@ struct detectability
     detectability(concealedSide& library, const fileName& caseFolder)
     :
         recorded(library.recorded(caseFolder)),
-        ask(recorded, library, library.trainingEnsemble()),
+        simulation(recorded, library, library.trainingEnsemble()),
         set(readSettings(library.dict())),
-        visible(misfit::visible(ask, set)),
-        data(ask.data().first().calibration)
+        visible(misfit::visible(simulation, set)),
+        data(simulation.data().first().calibration)
     {}
 
 
@@ -96,20 +95,48 @@ vec sampled(const json& effect, const detectability& detect)
 }
 
 
+//- The explanations of a set
+std::vector<alternative> alternativesOf(const json& verdict, const fileName& folder)
+{
+    if (verdict["verdict"] == "set" && !verdict.contains("alternatives"))
+    {
+        FatalErrorInFunction
+            << folder/"verdict.json" << " is of an earlier version, and its set has no"
+            << " alternatives: remove the file and diagnose this case again with"
+            << " -diagnose" << exit(FatalError);
+    }
+    const auto nameOf = [](const json& channel)
+    {
+        return channel.is_null() ? std::string() : channel.get<std::string>();
+    };
+    std::vector<alternative> all;
+    for (const json& one : verdict.value("alternatives", json::array()))
+    {
+        all.push_back
+        ({
+            one["mechanisms"], nameOf(one["channel"]), nameOf(one["partner"])
+        });
+    }
+    return all;
+}
+
+
 //- One of a set is at least part of the cause
 bool setIsRight(const openedCase& c)
 {
-    return std::any_of(c.names.begin(), c.names.end(), [&](const std::string& one)
+    const auto isInTruth = [&](const std::string& mechanism)
     {
-        // The mechanisms of one of the set, or the fault of a sensor as it is worded
-        const auto parts(stringOps::split(one, " and "));
+        return statistics::contains(c.truth, mechanism);
+    };
+    const auto isPart = [&](const alternative& a)
+    {
         return
-            (c.faulty.size() && one.find("of " + c.faulty) != one.npos)
-         || std::all_of(parts.begin(), parts.end(), [&](const auto& part)
-            {
-                return statistics::contains(c.truth, part.str());
-            });
-    });
+            a.channel.size()
+          ? a.channel == c.faulty
+          : a.mechanisms.size()
+         && std::all_of(a.mechanisms.begin(), a.mechanisms.end(), isInTruth);
+    };
+    return std::any_of(c.alternatives.begin(), c.alternatives.end(), isPart);
 }
 
 
@@ -185,6 +212,7 @@ openedCase opened
     }
     c.truth = sorted(c.truth);
     c.names = sorted(c.verdict["names"]);
+    c.alternatives = alternativesOf(c.verdict, folder);
     c.confidence = c.verdict["confidence"];
     c.nothingWrong =
         c.outcome == "named"

@@ -177,12 +177,16 @@ bool hasTruthInSet(Case c)
 //- A sensor is faulty, but the verdict names only mechanisms
 bool blamesPhysics(Case c)
 {
-    const bool aFault =
-        std::any_of(c.names.begin(), c.names.end(), [&](const std::string& name)
-        {
-            return name.find(c.faulty) != name.npos;
-        });
-    return isNamed(c) || (c.outcome == "set" && !aFault);
+    const auto blamesIt = [&](const alternative& a)
+    {
+        return a.channel == c.faulty || a.partner == c.faulty;
+    };
+    return
+        isNamed(c)
+     || (
+            c.outcome == "set"
+         && std::none_of(c.alternatives.begin(), c.alternatives.end(), blamesIt)
+        );
 }
 
 

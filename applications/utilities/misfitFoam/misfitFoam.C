@@ -22,14 +22,14 @@ namespace Foam::misfit
 //- List the runs and what they will cost
 void printPlan
 (
-    sampler& ask,
+    sampler& simulation,
     solverPredictor& solver,
     const recordings& recorded,
     const settings& set
 )
 {
     label n = 0;
-    for (const plannedStage& stage : plan(ask, set))
+    for (const plannedStage& stage : plan(simulation, set))
     {
         const List<runState> runs(runsOf(recorded, stage.states));
         solver.print(stage.name, runs);
@@ -57,12 +57,12 @@ void printPlan
 
 
 //- The runs of the experiment that is fitted that are known beforehand
-List<runState> trainingRuns(sampler& ask, settings set)
+List<runState> trainingRuns(sampler& simulation, settings set)
 {
     set.correction.clear();
-    const word fitted(ask.data().first().experiment);
+    const word fitted(simulation.data().first().experiment);
     List<runState> states;
-    for (const plannedStage& stage : plan(ask, set))
+    for (const plannedStage& stage : plan(simulation, set))
     {
         for (const runState& s : stage.states)
         {
@@ -115,9 +115,9 @@ void designOf
     (
         set.parameters, set.candidates, states, solver.predict(states), set.chaotic
     );
-    predictedSampler ask(recorded, emulator, ensembleOf(emulator, recorded));
+    predictedSampler simulation(recorded, emulator, ensembleOf(emulator, recorded));
     Info<< "Diagnoses of simulated recordings" << endl;
-    const experimentDesign d(designExperiment(ask, set, design, solver.jobs()));
+    const experimentDesign d(designExperiment(simulation, set, design, solver.jobs()));
     const fileName folder(caseFolder/"misfit");
     writeDesign(d, folder, caseFolder.path().name()/caseFolder.name());
     Info<< nl << designTable(d).c_str() << nl
@@ -141,6 +141,58 @@ void warnOf(const settings& set)
             << "replicates is " << set.replicates << ": the spread of them is known"
             << " to about " << label(100/std::sqrt(2*(set.replicates - 1.0)))
             << " % only, and intervals are too narrow. 20 are advised" << endl;
+    }
+}
+
+
+//- Remove what an earlier call answered, so that it is not there while this one is not
+//  finished; the corrected case is kept beside
+void putAnswerAside(const fileName& folder)
+{
+    rm(folder/"verdict.json");
+    rm(folder/"report.html");
+    const fileName corrected(folder/correctedCase);
+    if (isDir(corrected))
+    {
+        if (isDir(corrected + ".before"))
+        {
+            rmDir(corrected + ".before");
+        }
+        mv(corrected, corrected + ".before");
+    }
+}
+
+
+//- Diagnose a case and write the answer into its folder misfit, or list the runs only
+void diagnosisOf(const IOdictionary& dict, const fileName& caseFolder, const bool onlyPlan)
+{
+    const fileName folder(caseFolder/"misfit");
+    if (!onlyPlan)
+    {
+        putAnswerAside(folder);
+    }
+
+    const settings set(readSettings(dict));
+    warnOf(set);
+    const recordings recorded(dict, caseFolder);
+    recorded.checkEnough(dict, set.parameters.size() + 2);
+
+    solverPredictor solver(recorded, caseFolder, dict);
+    predictedSampler simulation(recorded, solver);
+    if (onlyPlan)
+    {
+        printPlan(simulation, solver, recorded, set);
+        return;
+    }
+
+    const finding result(diagnose(simulation, set));
+    const string title(caseFolder.path().name()/caseFolder.name());
+    writeReport(result, folder, originOf(title, recorded, set.candidates));
+    Info<< nl << summaryOf(result, folder).c_str() << endl;
+    if (result.verdict.state)
+    {
+        const runState corrected(runsOf(recorded, {*result.verdict.state}).first());
+        solver.makeCase(corrected, folder/correctedCase);
     }
 }
 
@@ -186,55 +238,16 @@ int main(int argc, char* argv[])
     );
     const IOdictionary dict(dictIO);
 
-    const fileName folder(runTime.path()/"misfit");
+    const bool onlyPlan = args.found("dry-run");
     if (args.found("design"))
     {
         const settings set(readSettings(dict));
         warnOf(set);
-        designOf(dict, set, runTime.path(), args.found("dry-run"));
-        return 0;
+        designOf(dict, set, runTime.path(), onlyPlan);
     }
-    if (!args.found("dry-run"))
+    else
     {
-        // Not the answer of an earlier time while this one is not finished
-        rm(folder/"verdict.json");
-        rm(folder/"report.html");
-        const fileName corrected(folder/correctedCase);
-        if (isDir(corrected))
-        {
-            if (isDir(corrected + ".before"))
-            {
-                rmDir(corrected + ".before");
-            }
-            mv(corrected, corrected + ".before");
-        }
-    }
-
-    const settings set(readSettings(dict));
-    warnOf(set);
-    const recordings recorded(dict, runTime.path());
-    recorded.checkEnough(dict, set.parameters.size() + 2);
-
-    solverPredictor solver(recorded, runTime.path(), dict);
-    predictedSampler sampler(recorded, solver);
-    if (args.found("dry-run"))
-    {
-        printPlan(sampler, solver, recorded, set);
-        return 0;
-    }
-
-    const finding result(diagnose(sampler, set));
-    const fileName above(runTime.path().path());
-    writeReport
-    (
-        result, folder,
-        originOf(above.name()/runTime.path().name(), recorded, set.candidates)
-    );
-    Info<< nl << summaryOf(result, folder).c_str() << endl;
-    if (result.verdict.state)
-    {
-        const runState corrected(runsOf(recorded, {*result.verdict.state}).first());
-        solver.makeCase(corrected, folder/correctedCase);
+        diagnosisOf(dict, runTime.path(), onlyPlan);
     }
     return 0;
 }

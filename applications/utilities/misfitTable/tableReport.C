@@ -22,7 +22,7 @@ constexpr int nBest = 3;
 
 
 //- Largest number of rows reported that miss the identity
-constexpr int nTold = 5;
+constexpr int nListed = 5;
 
 
 //- "line 11", "lines 5 and 20", "lines 2, 3, 4, 6, 7 and others"
@@ -31,7 +31,7 @@ string inLines(const std::vector<int>& lines)
     wordList all;
     for (const int line : lines)
     {
-        if (all.size() < nTold)
+        if (all.size() < nListed)
         {
             all.append(Foam::name(line));
         }

@@ -84,7 +84,7 @@ Foam::demCoupling::demCoupling
     locateGrains();
     checkGrainsInside(*phase_, *exchange_);
     // In a surge soft grains dent deeper than a packing may
-    if (!phase_->restarted() && phase_->touchesAtRadius())
+    if (!phase_->restarted() && phase_->hasContactRadius())
     {
         checkGrainsInWalls(*phase_, *exchange_);
     }
@@ -106,7 +106,7 @@ Foam::demCoupling::demCoupling(const fvMesh& mesh, const vector& g)
 {
     locateGrains();
     checkGrainsInside(*phase_, *exchange_);
-    if (!phase_->restarted() && phase_->touchesAtRadius())
+    if (!phase_->restarted() && phase_->hasContactRadius())
     {
         checkGrainsInWalls(*phase_, *exchange_);
     }

@@ -111,7 +111,7 @@ void Foam::granularProperties::checkSmoothing(const granularPhase& phase) const
 
     if
     (
-        !phase.touchesAtRadius()
+        !phase.hasContactRadius()
      && drag.lookupOrDefault<word>("model", "DiFelice") != "none"
      && smoothing.lookupOrDefault<word>("model", "diffusion") != "none"
      && !smoothing.found("drag")

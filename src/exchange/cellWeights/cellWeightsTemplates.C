@@ -4,7 +4,7 @@
 #include "swapLists.H"
 
 template<class T>
-Foam::List<T> Foam::cellWeights::reached(List<T>&& cells) const
+Foam::List<T> Foam::cellWeights::withRemoteCells(List<T>&& cells) const
 {
     List<T> values(std::move(cells));
 
@@ -76,7 +76,7 @@ inline void Foam::cellWeights::add
 
 
 template<class T>
-void Foam::cellWeights::bringHome(List<T>& sums) const
+void Foam::cellWeights::sumOnOwners(List<T>& sums) const
 {
     if (!Pstream::parRun())
     {

@@ -241,7 +241,7 @@ void Foam::grainsOnPoints::setFluidForce
 }
 
 
-void Foam::grainsOnPoints::takeSteps(const enteredGrains&)
+void Foam::grainsOnPoints::takeSteps(const entryHandler&)
 {
     done_ = 0;
     moved_ = 0;

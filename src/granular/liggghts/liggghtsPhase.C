@@ -303,12 +303,12 @@ Foam::labelList Foam::liggghtsPhase::beyond(const label lastId) const
 }
 
 
-void Foam::liggghtsPhase::takeSteps(const enteredGrains& entered)
+void Foam::liggghtsPhase::takeSteps(const entryHandler& onEntry)
 {
     outlet_.note();
 
     label left = stepsPerExchange();
-    while (entered && outlet_.nStepsToInsertion() < left)
+    while (onEntry && outlet_.nStepsToInsertion() < left)
     {
         // LIGGGHTS counts on from the largest
         label lastId = 0;
@@ -323,7 +323,7 @@ void Foam::liggghtsPhase::takeSteps(const enteredGrains& entered)
         left -= n;
 
         refresh();
-        entered(beyond(lastId));
+        onEntry(beyond(lastId));
     }
     liggghts_.run(left);
 

@@ -184,6 +184,42 @@ namespace
 }
 
 
+void Foam::liggghtsPhase::addWallForces(grainSnapshot& grains) const
+{
+    forAllConstIters(walls_.fixes(), wall)
+    {
+        LAMMPS_NS::Modify& modify = *liggghts_->modify;
+        vectorField force(size(), Zero);
+
+        for (const word& id : wall.val())
+        {
+            const int at = modify.find_fix(("force_" + id).c_str());
+
+            forAll(force, i)
+            {
+                const double* c = modify.fix[at]->array_atom[i];
+                const vector f(c[0], c[1], c[2]);
+
+                force[i] += f;
+                grains.stressMoment[i] +=
+                    symm(walls_.toPlane(id, position_[i])*f);
+            }
+        }
+
+        grains.wallForce.insert(wall.key(), force);
+    }
+
+    forAllConstIters(walls_.surfaces(), wall)
+    {
+        grains.wallForce.insert
+        (
+            wall.key(),
+            surfaceForce(*liggghts_->modify, wall.val(), size())
+        );
+    }
+}
+
+
 Foam::autoPtr<Foam::grainSnapshot> Foam::liggghtsPhase::snapshot() const
 {
     auto result = autoPtr<grainSnapshot>::New(size());
@@ -219,38 +255,7 @@ Foam::autoPtr<Foam::grainSnapshot> Foam::liggghtsPhase::snapshot() const
         }
     }
 
-    forAllConstIters(walls_.fixes(), wall)
-    {
-        LAMMPS_NS::Modify& modify = *liggghts_->modify;
-        vectorField force(size(), Zero);
-
-        for (const word& id : wall.val())
-        {
-            const int at = modify.find_fix(("force_" + id).c_str());
-
-            forAll(force, i)
-            {
-                const double* c = modify.fix[at]->array_atom[i];
-                const vector f(c[0], c[1], c[2]);
-
-                force[i] += f;
-                grains.stressMoment[i] +=
-                    symm(walls_.toPlane(id, position_[i])*f);
-            }
-        }
-
-        grains.wallForce.insert(wall.key(), force);
-    }
-
-    forAllConstIters(walls_.surfaces(), wall)
-    {
-        grains.wallForce.insert
-        (
-            wall.key(),
-            surfaceForce(*liggghts_->modify, wall.val(), size())
-        );
-    }
-
+    addWallForces(grains);
     addContacts(*liggghts_, outlet_.images(), grains);
     if (hasClumps())
     {

@@ -54,7 +54,7 @@ List<fluidAtGrain> fluidAroundClass
     setEach(cells, &fluidAtGrain::mu, fluid.mu);
     setEach(cells, &fluidAtGrain::voidFraction, fluid.voidFraction);
 
-    return mapping.weights().reached(std::move(cells));
+    return mapping.weights().withRemoteCells(std::move(cells));
 }
 
 
@@ -90,7 +90,7 @@ List<meanAtGrain> meansAroundClass
         smoothed(means.pressureGradient, mapping.ofVolume())
     );
 
-    return mapping.weights().reached(std::move(cells));
+    return mapping.weights().withRemoteCells(std::move(cells));
 }
 
 } // End anonymous namespace
@@ -174,7 +174,7 @@ Foam::List<Foam::List<Foam::flowAtGrain>> Foam::flowAround
             );
         }
 
-        result[k] = mapping.weights().reached(std::move(cells));
+        result[k] = mapping.weights().withRemoteCells(std::move(cells));
     }
 
     return result;

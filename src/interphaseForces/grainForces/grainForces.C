@@ -295,7 +295,7 @@ Foam::List<Foam::List<Foam::givenByGrain>> Foam::grainForces::coefficients
 
     for (List<givenByGrain>& cells : sums)
     {
-        weights.bringHome(cells);
+        weights.sumOnOwners(cells);
     }
     return sums;
 }
@@ -373,7 +373,7 @@ Foam::List<Foam::List<Foam::vector>> Foam::grainForces::loadElsewhere
 
     forAll(result, k)
     {
-        result[k] = mapping_.weights().reached<vector>
+        result[k] = mapping_.weights().withRemoteCells<vector>
         (
             mapping_.smoothed(load, mapping_.ofVolume(), k)
         );

@@ -62,18 +62,18 @@ void Foam::misfit::channelSelection::add
 
 Foam::misfit::channelSelection::channelSelection
 (
-    sampler& ask,
+    sampler& simulation,
     const allChannels& all,
     const vec& y,
     const wordList& toFit,
     const bool validates
 )
 :
-    ask_(ask),
+    simulation_(simulation),
     data_(1),
     isSelection_(validates || toFit.size() < all.uses().size())
 {
-    data_.first().experiment = ask.data().first().experiment;
+    data_.first().experiment = simulation.data().first().experiment;
     data_.first().use = purpose::calibration;
     forAll(all.uses(), i)
     {
@@ -97,7 +97,7 @@ Foam::misfit::channelSelection::channelSelection
 Foam::List<Foam::misfit::samples>
 Foam::misfit::channelSelection::operator()(const List<runState>& states)
 {
-    List<samples> some(ask_(states));
+    List<samples> some(simulation_(states));
     for (samples& s : some)
     {
         if (s.ok())

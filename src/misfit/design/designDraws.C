@@ -36,9 +36,9 @@ public:
 
 
 //- Candidates with which at least one run of the sensitivities ended
-labelList runningCandidates(sampler& ask, const settings& set)
+labelList runningCandidates(sampler& simulation, const settings& set)
 {
-    const study s(ask, set);
+    const study s(simulation, set);
     labelList some;
     forAll(set.candidates, m)
     {
@@ -47,14 +47,14 @@ labelList runningCandidates(sampler& ask, const settings& set)
         {
             states.append(s.state(x));
         }
-        for (const runState& one : ask.trainingEnsemble())
+        for (const runState& one : simulation.trainingEnsemble())
         {
             if (one.strengths.lookup(set.candidates[m].name, 0) > 0)
             {
                 states.append(one);
             }
         }
-        const List<samples> given(ask(states));
+        const List<samples> given(simulation(states));
         if (std::any_of(given.begin(), given.end(), [](const samples& g) { return g.ok(); }))
         {
             some.append(m);
@@ -98,7 +98,7 @@ std::string Foam::misfit::designDraws::answer
         c.mechanism < 0 ? 0 : c.strength*set_.candidates[c.mechanism].strong;
     channelSelection some
     (
-        ask_, recordings.all(), recordings(c.mechanism, strength, draw), channels, true
+        simulation_, recordings.all(), recordings(c.mechanism, strength, draw), channels, true
     );
     const finding f(diagnose(some, set_));
     std::ostringstream os;
@@ -168,22 +168,22 @@ void Foam::misfit::designDraws::printProgress(const designRow& row)
 
 Foam::misfit::designDraws::designDraws
 (
-    sampler& ask,
+    sampler& simulation,
     const settings& set,
     const designSettings& design,
     const label jobs
 )
 :
-    ask_(ask),
+    simulation_(simulation),
     set_(withoutCorrection(set)),
     design_(design),
     jobs_(jobs),
-    running_(runningCandidates(ask, set)),
+    running_(runningCandidates(simulation, set)),
     nRows_
     (
         design.repeats.size()*(1 + running_.size()*design.strengths.size())
       + running_.size()
-       *possibleChannels(allChannels(ask.data().first(), 1), design.channels).size()
+       *possibleChannels(allChannels(simulation.data().first(), 1), design.channels).size()
     )
 {}
 

@@ -72,13 +72,13 @@ void Foam::misfit::checkStrengths
 
 Foam::misfit::experimentDesign Foam::misfit::designExperiment
 (
-    sampler& ask,
+    sampler& simulation,
     const settings& set,
     const designSettings& design,
     const label jobs
 )
 {
-    designDraws draws(ask, set, design, jobs);
+    designDraws draws(simulation, set, design, jobs);
     experimentDesign all;
     all.channels = design.channels;
     all.probability = design.probability;
@@ -91,7 +91,7 @@ Foam::misfit::experimentDesign Foam::misfit::designExperiment
     }
     for (const label repeats : design.repeats)
     {
-        const simulatedRecordings recordings(ask, draws.set(), repeats);
+        const simulatedRecordings recordings(simulation, draws.set(), repeats);
         for (const simulatedCause& c : draws.causes())
         {
             all.rows.append(draws.row(recordings, c, design.channels, repeats));
@@ -99,7 +99,7 @@ Foam::misfit::experimentDesign Foam::misfit::designExperiment
     }
 
     const label repeats = design.repeats.first();
-    const simulatedRecordings recordings(ask, draws.set(), repeats);
+    const simulatedRecordings recordings(simulation, draws.set(), repeats);
     all.options = rankedChannels(draws, recordings, all, repeats);
     return all;
 }

@@ -28,7 +28,7 @@ void addRuns(study& s)
 {
     addUncertainty(s);
     addCalibrationRuns(s);
-    if (s.set.trainingEnsemble || s.ask.trainingEnsemble().size())
+    if (s.set.trainingEnsemble || s.simulation.trainingEnsemble().size())
     {
         return;
     }
@@ -42,13 +42,13 @@ void addRuns(study& s)
 
 Foam::misfit::simulatedRecordings::simulatedRecordings
 (
-    sampler& ask,
+    sampler& simulation,
     const settings& set,
     const label repeats
 )
 :
-    all_(ask.data().first(), repeats),
-    whole_(ask, all_, all_.data().y, namesOf(all_.data()), false),
+    all_(simulation.data().first(), repeats),
+    whole_(simulation, all_, all_.data().y, namesOf(all_.data()), false),
     study_(whole_, set)
 {
     addRuns(study_);
@@ -74,13 +74,13 @@ Foam::misfit::vec Foam::misfit::simulatedRecordings::operator()
         const scalar drawn = bounds.mean[i] + bounds.deviation[i]*normal(generator);
         x[i] = min(max(drawn, bounds.lower[i]), bounds.upper[i]);
     }
-    truth.best.x = x.head(bounds.nParameters);
+    truth.fit.x = x.head(bounds.nParameters);
     if (mechanism >= 0)
     {
         x[bounds.nParameters + mechanism] = strength;
         truth.what.mechanisms = {int(mechanism)};
-        truth.best.x.conservativeResize(bounds.nParameters + 1);
-        truth.best.x[bounds.nParameters] = strength;
+        truth.fit.x.conservativeResize(bounds.nParameters + 1);
+        truth.fit.x[bounds.nParameters] = strength;
     }
 
     // Nature's formula is another one

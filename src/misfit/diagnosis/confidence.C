@@ -49,7 +49,7 @@ bool hasAll
 
 
 //- True if an explanation says what the verdict says
-bool agrees(const evidence& e, const decision& d, const hypothesisFit& w)
+bool agrees(const stageResults& e, const decision& d, const hypothesisFit& w)
 {
     switch (d.kind)
     {
@@ -78,7 +78,7 @@ scalar ofOrder(const scalar x)
 
 
 //- By how much the score of those that agree is ahead of that of all others
-scalar lead(const evidence& e, const decision& d)
+scalar lead(const stageResults& e, const decision& d)
 {
     scalar own = GREAT;
     scalar others = GREAT;
@@ -109,7 +109,7 @@ scalar shareOfGates(const gateList& gates)
 
 
 //- Share of the probability that those that agree have
-scalar shareOfThoseThatAgree(const evidence& e, const decision& d)
+scalar shareOfThoseThatAgree(const stageResults& e, const decision& d)
 {
     scalar sum = 0;
     for (const hypothesisFit& w : e.explained.all())
@@ -125,7 +125,7 @@ scalar shareOfThoseThatAgree(const evidence& e, const decision& d)
 Foam::misfit::groundValues Foam::misfit::groundsOf
 (
     const rules& limits,
-    const evidence& e,
+    const stageResults& e,
     const decision& d
 )
 {
@@ -146,7 +146,7 @@ Foam::misfit::groundValues Foam::misfit::groundsOf
 Foam::scalar Foam::misfit::confidenceIn
 (
     const rules& limits,
-    const evidence& e,
+    const stageResults& e,
     const decision& d
 )
 {

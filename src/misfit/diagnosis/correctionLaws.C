@@ -54,7 +54,7 @@ void judge
     result.explained = enough;
     for (const label i : order)
     {
-        const fitResult& f = fits[i].best.best;
+        const fitResult& f = fits[i].best.fit;
         const scalar score = fits[i].best.score;
         const scalar lead = free.score - score;
         const label k = laws[i].functions.size();

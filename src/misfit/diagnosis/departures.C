@@ -133,7 +133,7 @@ void addDepartures
 
 std::vector<Foam::misfit::departure> Foam::misfit::departuresOf
 (
-    const evidence& e,
+    const stageResults& e,
     const vec& calibrated,
     const rules& limits
 )

@@ -52,7 +52,7 @@ mat shapes(const study& s, const hypothesisFit& base)
         }
     };
 
-    const vec at = calibration.model(base.what).expand(base.best.x);
+    const vec at = calibration.model(base.what).expand(base.fit.x);
     // A weak effect may look otherwise than a strong one, as one that delays
     for (const vec& with : s.sensitivityDesign(at, statistics::inOrder(s.names.size())))
     {
@@ -62,7 +62,7 @@ mat shapes(const study& s, const hypothesisFit& base)
     {
         if (fault.size() == 1)
         {
-            add(fault(calibration.data(), base.best.f, fault.slight) - base.best.f);
+            add(fault(calibration.data(), base.fit.f, fault.slight) - base.fit.f);
         }
     }
     return changes;
@@ -93,7 +93,7 @@ std::vector<place> placesOf
 std::vector<place> locate(const study& s, const hypothesisFit& base, const scanResult& left)
 {
     const stacked& data = s.calibration.data();
-    const vec misfit = data.y - base.best.f;
+    const vec misfit = data.y - base.fit.f;
     std::vector<window> clear;
     if (left.p < s.set.significance)
     {
@@ -118,8 +118,8 @@ List<calibratedParameter> parametersOf(const settings& set, const hypothesisFit&
         const parameter& p = set.parameters[i];
         all.append
         ({
-            p.name, p.measured, p.measuredDeviation, base.best.x[i],
-            base.best.deviation(i), base.best.pinned[i]
+            p.name, p.measured, p.measuredDeviation, base.fit.x[i],
+            base.fit.deviation(i), base.fit.pinned[i]
         });
     }
     return all;
@@ -137,10 +137,10 @@ std::vector<int> Foam::misfit::addCalibrationRuns(study& s)
       ? ensembleDesign(s.bounds, s.set.trainingEnsemble, s.set.seed)
       : parameterDesign(s.bounds)
     );
-    if (s.ask.trainingEnsemble().size())
+    if (s.simulation.trainingEnsemble().size())
     {
         design.clear();
-        for (const runState& state : s.ask.trainingEnsemble())
+        for (const runState& state : s.simulation.trainingEnsemble())
         {
             design.push_back(variablesOf(s.set.parameters, s.names, state));
         }
@@ -167,12 +167,12 @@ Foam::misfit::scanResult Foam::misfit::scanResidual
 {
     const sampledModel& m = s.calibration;
     const hypothesisModel model(m.model(w.what));
-    const mat slopes = model.slopes(w.best.x);
+    const mat slopes = model.slopes(w.fit.x);
     const vec deviation = model.deviation();
     const vec fromMean = deviation.unaryExpr
     (
         [](const scalar d) { return d > 0 ? 1.0 : 0.0; }
-    ).cwiseProduct(w.best.x - model.mean());
+    ).cwiseProduct(w.fit.x - model.mean());
     const whitener white
     (
         statistics::withFitted(w.covariance, slopes, deviation)
@@ -183,7 +183,7 @@ Foam::misfit::scanResult Foam::misfit::scanResidual
     );
     return scan
     (
-        m.data().y - w.best.f + slopes*fromMean,
+        m.data().y - w.fit.f + slopes*fromMean,
         s.set.significance
     );
 }
@@ -210,7 +210,7 @@ Foam::misfit::misfitDetection Foam::misfit::detect
         parametersOf(set, base),
         data,
         base.covariance.diagonal().cwiseSqrt(),
-        s.calibration.uncertainty().sources(base.best.f),
+        s.calibration.uncertainty().sources(base.fit.f),
         base.covariance
     };
 }
@@ -219,7 +219,7 @@ Foam::misfit::misfitDetection Foam::misfit::detect
 std::vector<Foam::misfit::place> Foam::misfit::locateNamed
 (
     const study& s,
-    const evidence& e,
+    const stageResults& e,
     const decision& d
 )
 {
@@ -250,14 +250,14 @@ Foam::misfit::screenedCandidates Foam::misfit::addSensitivityRuns
     const screenedCandidates& candidates
 )
 {
-    if (s.set.trainingEnsemble || s.ask.trainingEnsemble().size())
+    if (s.set.trainingEnsemble || s.simulation.trainingEnsemble().size())
     {
         return candidates;
     }
     Info<< "Sensitivities of the mechanisms" << endl;
     vec at = s.bounds.mean;
     at.head(s.bounds.nParameters) =
-        base.best.x.head(s.bounds.nParameters);
+        base.fit.x.head(s.bounds.nParameters);
     std::vector<vec> design(1, at);
     const std::vector<vec> alone(s.sensitivityDesign(at, candidates.left));
     design.insert(design.end(), alone.begin(), alone.end());

@@ -47,9 +47,9 @@ screenedCandidates screenAll
 }
 
 
-finding runStages(sampler& ask, const settings& set)
+finding runStages(sampler& simulation, const settings& set)
 {
-    study s(ask, set);
+    study s(simulation, set);
     warnOfClock(s);
     addUncertainty(s);
     const std::vector<int> failing(addCalibrationRuns(s));
@@ -60,7 +60,7 @@ finding runStages(sampler& ask, const settings& set)
     const explanations explained(rank(s, candidates.left, detected));
     const separation apart(separate(s, candidates.left, explained.baseline()));
     const gateTests tests(testGates(s, candidates.left, detection, explained));
-    const evidence e
+    const stageResults e
     {
         s.names, detection, candidates, explained, apart, tests, s.failed
     };
@@ -93,11 +93,11 @@ List<runState> replicated(const study& s, const std::vector<vec>& design)
 
 
 Foam::misfit::finding
-Foam::misfit::diagnose(sampler& ask, const settings& set)
+Foam::misfit::diagnose(sampler& simulation, const settings& set)
 {
     try
     {
-        return runStages(ask, set);
+        return runStages(simulation, set);
     }
     catch (const std::domain_error& e)
     {
@@ -108,9 +108,9 @@ Foam::misfit::diagnose(sampler& ask, const settings& set)
 
 
 Foam::misfit::visibility
-Foam::misfit::visible(sampler& ask, const settings& set)
+Foam::misfit::visible(sampler& simulation, const settings& set)
 {
-    study s(ask, set);
+    study s(simulation, set);
     addUncertainty(s);
     addCalibrationRuns(s);
 
@@ -130,9 +130,9 @@ Foam::misfit::visible(sampler& ask, const settings& set)
 
 
 Foam::List<Foam::misfit::plannedStage>
-Foam::misfit::plan(sampler& ask, const settings& set)
+Foam::misfit::plan(sampler& simulation, const settings& set)
 {
-    const study s(ask, set);
+    const study s(simulation, set);
     const List<runState> all(bases(s));
     List<runState> first(uncertaintyRuns(s, s.data().experiment));
     first.append(List<runState>(SubList<runState>(all, all.size() - 1, 1)));

@@ -145,8 +145,8 @@ Foam::misfit::onSurface(const study& s, const hypothesisFit& w)
 {
     evaluation c;
     c.best = w;
-    c.variables = s.calibration.model(w.what).expand(w.best.x);
-    c.given.calibration = w.best.f;
+    c.variables = s.calibration.model(w.what).expand(w.fit.x);
+    c.given.calibration = w.fit.f;
     if (s.validation.size())
     {
         c.given.validation = s.validation.surface()(c.variables);

@@ -114,7 +114,7 @@ evaluation fitFreely(correctionStudy& c)
         const label k = c.s.bounds.nParameters + i;
         c.result.elements.append
         ({
-            c.elements()[free[i]], r.best.best.x[k], r.best.best.deviation(k)
+            c.elements()[free[i]], r.best.fit.x[k], r.best.fit.deviation(k)
         });
     }
     return r;
@@ -145,7 +145,7 @@ bool holdsIn
     if (state.noting)
     {
         const mat there(combinationOf(*law, c.elements(), before.water));
-        x.tail(c.elements().size()) = there*r.best.best.x.tail(there.cols());
+        x.tail(c.elements().size()) = there*r.best.fit.x.tail(there.cols());
     }
     state = c.s.state(other.experiment, x);
     const samples after(c.s.means(List<runState>(1, state)).first());
@@ -178,7 +178,7 @@ void test
 )
 {
     correctionFit& result = c.result;
-    result.after = r.best.best.f;
+    result.after = r.best.fit.f;
     result.left = scanResidual(c.s, r.best).p;
     result.isEnough = result.left >= c.s.set.adequacy;
     result.held =
@@ -229,7 +229,7 @@ Foam::misfit::correctionStudy::correctionStudy
     atBase(vec::Zero(s.bounds.mean.size()))
 {
     const label nP = s.bounds.nParameters;
-    atBase.head(nP) = base.best.x.head(nP);
+    atBase.head(nP) = base.fit.x.head(nP);
     result.isRequested = true;
 }
 
@@ -291,7 +291,7 @@ Foam::misfit::correctionFit Foam::misfit::fitCorrection
 Foam::misfit::correctionFit Foam::misfit::correct
 (
     const study& s,
-    const evidence& e,
+    const stageResults& e,
     const decision& d
 )
 {

@@ -61,7 +61,7 @@ gate heldOutGate
 //  nothing does, over the variance of a run: of values of the surface, or of two runs
 scalar sharedChaos(const study& s, const explanations& all)
 {
-    if (s.ask.trainingEnsemble().empty())
+    if (s.simulation.trainingEnsemble().empty())
     {
         return 1.0/s.set.commonRandomNumbers;
     }

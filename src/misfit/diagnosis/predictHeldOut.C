@@ -27,7 +27,7 @@ samples withFault
             (
                 recorded.of(use),
                 given.of(use),
-                s.calibration.model(best.what).ofFault(best.best.x)
+                s.calibration.model(best.what).ofFault(best.fit.x)
             );
         }
     }
@@ -43,7 +43,7 @@ std::vector<vec> calibrationSteps(const study& s, const hypothesisFit& base)
     (
         statistics::stepsWithin
         (
-            s.calibration.model(base.what), whitener(base.covariance), base.best.x,
+            s.calibration.model(base.what), whitener(base.covariance), base.fit.x,
             s.bounds.width.head(s.bounds.nParameters)
         )
     );

@@ -76,7 +76,7 @@ void refitBest(study& s, explanations& e)
     {
         if ((i < n && all[i].score <= limit) || all[i].what.isNone())
         {
-            first.push_back(s.calibration.model(all[i].what).expand(all[i].best.x));
+            first.push_back(s.calibration.model(all[i].what).expand(all[i].fit.x));
         }
     }
     s.means(first);
@@ -193,7 +193,7 @@ Foam::misfit::evaluation Foam::misfit::refit
             return r;
         }
         next = onward;
-        next.best.x = least.best.x + share*(onward.best.x - least.best.x);
+        next.fit.x = least.fit.x + share*(onward.fit.x - least.fit.x);
     }
     r.best = least;
     return r;
@@ -211,7 +211,7 @@ Foam::misfit::evaluation Foam::misfit::refit
     refitSteps with;
     with.expand = [&](const hypothesisFit& now)
     {
-        return local.model(now.what).expand(now.best.x);
+        return local.model(now.what).expand(now.fit.x);
     };
     with.compute = [&](const vec& x)
     {

@@ -57,14 +57,14 @@ Foam::misfit::screenedCandidates Foam::misfit::screen
     {
         changes.push_back
         (
-            statistics::changeOfFeatures(at, base.best.f, data.y, white)
+            statistics::changeOfFeatures(at, base.fit.f, data.y, white)
         );
         largest = max
         (
             largest,
             statistics::shareBeyond
             (
-                at, at.of(data.y), at.of(base.best.f), at.of(sigma)
+                at, at.of(data.y), at.of(base.fit.f), at.of(sigma)
             )
         );
     }

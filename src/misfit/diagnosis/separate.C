@@ -12,12 +12,12 @@ Foam::misfit::separation Foam::misfit::separate
 {
     const sampledModel& calibration = s.calibration;
     const hypothesisModel model(calibration.model(base.what));
-    const vec at = model.expand(base.best.x);
+    const vec at = model.expand(base.fit.x);
     const whitener white
     (
         statistics::withFitted
         (
-            base.covariance, model.slopes(base.best.x), model.deviation()
+            base.covariance, model.slopes(base.fit.x), model.deviation()
         )
     );
 

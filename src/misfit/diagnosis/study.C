@@ -65,7 +65,7 @@ variableBounds withElements(const settings& set)
 
 Foam::misfit::study::study(sampler& s, const settings& set)
 :
-    ask(s),
+    simulation(s),
     set(set),
     names(namesOfAll(set.candidates)),
     bounds(withCandidates(set)),
@@ -126,7 +126,7 @@ Foam::List<Foam::misfit::samples>
 Foam::misfit::study::means(const List<runState>& states)
 {
     nRuns += states.size()*set.commonRandomNumbers;
-    return ask.means(states, set.commonRandomNumbers);
+    return simulation.means(states, set.commonRandomNumbers);
 }
 
 

@@ -258,7 +258,7 @@ void Foam::misfit::addUncertainty(study& s)
         const mat changes(changesBy(name, states, given, fitted));
         const mat heldChanges(changesBy(name, states, given, held));
         checkAny(name, states, given, changes);
-        if (!s.ask.isSelection())
+        if (!s.simulation.isSelection())
         {
             checkChanges(name, changes, heldChanges);
             checkReplicates
@@ -270,7 +270,7 @@ void Foam::misfit::addUncertainty(study& s)
         s.validation.addResolution(name, heldChanges);
     }
     const mat heldRepeats(samplesOf("base", states, given, held));
-    if (!s.ask.isSelection())
+    if (!s.simulation.isSelection())
     {
         checkReplicates(repeats, heldRepeats);
     }

@@ -141,15 +141,15 @@ std::vector<hypothesisFit> withWinners
     for (const winner& without : winners)
     {
         // What all data support does not give way to what wins on fewer
-        const hypothesis& h = without.what.what;
-        bool another = !isAmong(near, without.what);
+        const hypothesis& h = without.explanation.what;
+        bool another = !isAmong(near, without.explanation);
         for (const hypothesisFit& n : near)
         {
             another = another && !n.what.extends(h) && !h.extends(n.what);
         }
         if (another)
         {
-            near.push_back(without.what);
+            near.push_back(without.explanation);
         }
     }
     return near;
@@ -161,7 +161,7 @@ decision weaken
 (
     const study& s,
     const std::vector<hypothesisFit>& near,
-    const evidence& e,
+    const stageResults& e,
     const verdictKind kind
 )
 {
@@ -174,7 +174,7 @@ decision weaken
     std::vector<hypothesisFit> all(best);
     for (const winner& without : winners)
     {
-        all.push_back(without.what);
+        all.push_back(without.explanation);
     }
 
     // What wins without a channel, too, has some of it: that much is sure
@@ -210,7 +210,7 @@ decision choose
 (
     const study& s,
     const std::vector<hypothesisFit>& rivals,
-    const evidence& e
+    const stageResults& e
 )
 {
     const gateList& gates = e.tests.gates;
@@ -260,8 +260,8 @@ List<fittedStrength> strengthsOf
         {
             all.append
             ({
-                name, best.best.x[k], best.best.deviation(k),
-                best.best.pinned[k]
+                name, best.fit.x[k], best.fit.deviation(k),
+                best.fit.pinned[k]
             });
         }
     }
@@ -272,7 +272,7 @@ List<fittedStrength> strengthsOf
 //- The best fit with nothing on but what is named
 runState namedState(const study& s, const hypothesisFit& best, const wordList& names)
 {
-    runState named(s.state(s.calibration.model(best.what).expand(best.best.x)));
+    runState named(s.state(s.calibration.model(best.what).expand(best.fit.x)));
     for (const word& name : named.strengths.toc())
     {
         if (!names.found(name))
@@ -285,7 +285,7 @@ runState namedState(const study& s, const hypothesisFit& best, const wordList& n
 
 
 //- What measurement would settle a set
-advice adviceOn(const study& s, const evidence& e, const decision& d)
+advice adviceOn(const study& s, const stageResults& e, const decision& d)
 {
     advice a;
     if (d.kind == verdictKind::set && d.weakened)
@@ -301,7 +301,7 @@ advice adviceOn(const study& s, const evidence& e, const decision& d)
 
 
 //- Where the answer acts; else where recording and simulation part
-std::vector<place> locate(const study& s, const evidence& e, const decision& d)
+std::vector<place> locate(const study& s, const stageResults& e, const decision& d)
 {
     std::vector<place> named;
     if (d.strengths.size() && !e.best().what.unknown)
@@ -313,7 +313,7 @@ std::vector<place> locate(const study& s, const evidence& e, const decision& d)
 
 //- Standard deviation of the fitted samples with the answer, without what something
 //  unknown beside it may do
-vec deviationWith(const study& s, const evidence& e, const decision& d)
+vec deviationWith(const study& s, const stageResults& e, const decision& d)
 {
     const hypothesisFit& best = e.best();
     if (!d.blamesChannel())
@@ -333,7 +333,7 @@ vec deviationWith(const study& s, const evidence& e, const decision& d)
 
 
 Foam::misfit::decision
-Foam::misfit::decide(const study& s, const evidence& e)
+Foam::misfit::decide(const study& s, const stageResults& e)
 {
     Info<< "Verdict" << endl;
     const std::vector<hypothesisFit> rivals(e.explained.rivals(s.set));
@@ -342,8 +342,8 @@ Foam::misfit::decide(const study& s, const evidence& e)
 
     const bool changed =
         d.kind != verdictKind::none && d.kind != verdictKind::unknown;
-    d.before = e.explained.baseline().best.f;
-    d.after = changed ? e.best().best.f : d.before;
+    d.before = e.explained.baseline().fit.f;
+    d.after = changed ? e.best().fit.f : d.before;
     d.sigma = deviationWith(s, e, d);
     if (changed)
     {

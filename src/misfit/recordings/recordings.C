@@ -21,40 +21,53 @@ HashTable<word> formerUses()
 }
 
 
-//- How much of what two files have is the same, as the verb of a sentence; empty:
-//  nothing
-string sharedNumbers(const misfit::recordedFile& a, const misfit::recordedFile& b)
+enum class sharing { nothing, part, all };
+
+
+//- How many readings of two files are the same
+sharing sharedReadings(const misfit::recordedFile& a, const misfit::recordedFile& b)
 {
-    const misfit::series& of = a.readings;
-    const misfit::series& with = b.readings;
+    const misfit::series& first = a.readings;
+    const misfit::series& second = b.readings;
 
     // By their numbers: the same file may have another name, or be a copy
-    if (of.isCopyOf(with))
+    if (first.isCopyOf(second))
     {
-        return " are";
+        return sharing::all;
     }
     const bool overlap =
         a.source == b.source
-     && of.x.first() < with.x.last() && with.x.first() < of.x.last();
-    return overlap ? " have some of" : "";
+     && first.x.first() < second.x.last() && second.x.first() < first.x.last();
+    return overlap ? sharing::part : sharing::nothing;
 }
 
 
-//- The same of any files of two channels, with their names; empty: nothing
-string sharedNumbers(const misfit::channel& a, const misfit::channel& b)
+//- Two files with readings in common
+struct sharedFiles
 {
-    for (const misfit::recordedFile& of : a.files)
+    sharing readings = sharing::nothing;
+
+    string first;
+
+    string second;
+};
+
+
+//- The first two files of two channels that share readings
+sharedFiles findShared(const misfit::channel& a, const misfit::channel& b)
+{
+    for (const misfit::recordedFile& ofA : a.files)
     {
-        for (const misfit::recordedFile& with : b.files)
+        for (const misfit::recordedFile& ofB : b.files)
         {
-            const string shared(sharedNumbers(of, with));
-            if (shared.size())
+            const sharing readings = sharedReadings(ofA, ofB);
+            if (readings != sharing::nothing)
             {
-                return shared + " the same numbers, " + with.source + " and " + of.source;
+                return {readings, ofB.source, ofA.source};
             }
         }
     }
-    return "";
+    return {};
 }
 
 } // End anonymous namespace
@@ -144,15 +157,17 @@ void Foam::misfit::recordings::checkOnce(const dictionary& dict) const
         for (label j = 0; j < i; ++j)
         {
             const channel& b = channels_[j];
-            const string shared(sharedNumbers(a, b));
-            if (shared.empty())
+            const sharedFiles shared(findShared(a, b));
+            if (shared.readings == sharing::nothing)
             {
                 continue;
             }
 
             const string message
             (
-                "The channels " + b.name + " and " + a.name + shared
+                "The channels " + b.name + " and " + a.name
+              + (shared.readings == sharing::all ? " are" : " have some of")
+              + " the same numbers, " + shared.first + " and " + shared.second
             );
             if (a.use == purpose::calibration && b.use == purpose::calibration)
             {

@@ -111,6 +111,104 @@ void writeMap
 }
 
 
+//- A picture to be drawn in a folder by a script of etc/misfit with these variables
+figure withScript
+(
+    const fileName& folder,
+    const figure::subject shows,
+    const std::string& name,
+    const std::string& variables
+)
+{
+    const word script(shows == figure::subject::map ? "map.gp" : "series.gp");
+    std::ofstream(folder/name + ".gp") << variables << templateText(script);
+    return {shows, folder/(name + ".png"), -1};
+}
+
+
+//- What is given as the answer changes the simulation
+bool hasFinding(const finding& f)
+{
+    return
+        f.correction.after.size()
+     || (
+            f.verdict.kind != verdictKind::none
+         && f.verdict.kind != verdictKind::unknown
+        );
+}
+
+
+figure ofHeldOut(const finding& f, const label i, const fileName& folder)
+{
+    const heldOut& h = f.held()[i];
+    const std::string name("heldOut" + std::to_string(i + 1));
+    writeSeries(folder/name + ".dat", h.data, h.sigma, h.before, h.after);
+    figure made
+    (
+        withScript
+        (
+            folder, figure::subject::heldOut, name,
+            seriesVariables(h.data, name, hasFinding(f))
+        )
+    );
+    made.held = i;
+    return made;
+}
+
+
+figure ofFitted(const finding& f, const fileName& folder)
+{
+    const stacked& data = f.detection.data;
+    const decision& verdict = f.verdict;
+    writeSeries
+    (
+        folder/"fitted.dat", data, verdict.sigma, verdict.before, verdict.after
+    );
+    return withScript
+    (
+        folder, figure::subject::fitted, "fitted",
+        seriesVariables(data, "fitted", hasFinding(f))
+    );
+}
+
+
+//- The misfit of all channels of these experiments, a row each
+figure ofMap(const finding& f, const fileName& folder)
+{
+    const misfitDetection& fitted = f.detection;
+    const decision& verdict = f.verdict;
+    label row = 0;
+    std::ostringstream rows;
+    std::ofstream map(folder/"map.dat");
+    const auto nameRows = [&](const stacked& data, const string& mark)
+    {
+        for (const segment& s : data.segments)
+        {
+            rows << "Name[" << ++row << "] = '" << s.name << mark << "'\n";
+        }
+    };
+    writeMap
+    (
+        map, fitted.data, fitted.sigma, verdict.sigma, verdict.before, verdict.after, row
+    );
+    nameRows(fitted.data, "");
+    for (const heldOut& h : f.held())
+    {
+        if (h.isHere() || h.what == heldOut::part::testElsewhere)
+        {
+            writeMap(map, h.data, h.sigma, h.sigma, h.before, h.after, row);
+            nameRows(h.data, " (" + purposeNames[h.use] + ")");
+        }
+    }
+    return withScript
+    (
+        folder, figure::subject::map, "map",
+        "found = " + std::to_string(hasFinding(f)) + "; n = " + std::to_string(row)
+      + "\narray Name[n]\n" + rows.str()
+    );
+}
+
+
 bool gnuplot(const fileName& folder, const std::string& name)
 {
     return
@@ -124,85 +222,28 @@ bool gnuplot(const fileName& folder, const std::string& name)
 } // End anonymous namespace
 
 
-Foam::List<Foam::fileName> Foam::misfit::drawFigures
+std::vector<Foam::misfit::figure> Foam::misfit::drawFigures
 (
     const finding& f,
     const fileName& folder
 )
 {
     mkDir(folder);
-    const bool hasFinding =
-        f.correction.after.size()
-     || (
-            f.verdict.kind != verdictKind::none
-         && f.verdict.kind != verdictKind::unknown
-        );
-    List<std::string> names;
-    const auto script = [&]
-    (
-        const std::string& name, const std::string& variables, const word& file
-    )
-    {
-        std::ofstream(folder/name + ".gp") << variables << templateText(file);
-        names.append(name);
-    };
-
+    std::vector<figure> figures;
     forAll(f.held(), i)
     {
-        const heldOut& h = f.held()[i];
-        const std::string name("heldOut" + std::to_string(i + 1));
-        writeSeries(folder/name + ".dat", h.data, h.sigma, h.before, h.after);
-        script(name, seriesVariables(h.data, name, hasFinding), "series.gp");
+        figures.push_back(ofHeldOut(f, i, folder));
     }
-    const misfitDetection& fitted = f.detection;
-    const decision& verdict = f.verdict;
-    writeSeries
-    (
-        folder/"fitted.dat", fitted.data, verdict.sigma, verdict.before, verdict.after
-    );
-    script("fitted", seriesVariables(fitted.data, "fitted", hasFinding), "series.gp");
+    figures.push_back(ofFitted(f, folder));
+    figures.push_back(ofMap(f, folder));
 
-    label row = 0;
-    std::ostringstream rows;
-    std::ofstream map(folder/"map.dat");
-    const auto addRows = [&](const stacked& data, const string& mark)
+    std::vector<figure> drawn;
+    for (const figure& one : figures)
     {
-        for (const segment& s : data.segments)
-        {
-            rows << "Name[" << ++row << "] = '" << s.name << mark << "'\n";
-        }
-    };
-    writeMap
-    (
-        map, fitted.data, fitted.sigma, verdict.sigma, verdict.before, verdict.after, row
-    );
-    addRows(fitted.data, "");
-    for (const heldOut& h : f.held())
-    {
-        if (h.isHere() || h.what == heldOut::part::testElsewhere)
-        {
-            writeMap(map, h.data, h.sigma, h.sigma, h.before, h.after, row);
-            addRows
-            (
-                h.data, " (" + purposeNames[h.use] + ")"
-            );
-        }
-    }
-    map.close();
-    script
-    (
-        "map",
-        "found = " + std::to_string(hasFinding) + "; n = " + std::to_string(row)
-      + "\narray Name[n]\n" + rows.str(),
-        "map.gp"
-    );
-
-    List<fileName> drawn;
-    for (const std::string& name : names)
-    {
+        const std::string name(one.file.nameLessExt());
         if (gnuplot(folder, name))
         {
-            drawn.append(folder/(name + ".png"));
+            drawn.push_back(one);
         }
         else
         {

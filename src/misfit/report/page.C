@@ -204,30 +204,36 @@ void addToCorrection(json& all, const correctionFit& c)
 }
 
 
-//- What a picture shows, by the name of its file
-string caption(const finding& f, const word& name)
+string caption(const finding& f, const figure& shown)
 {
-    json facts = {{name, true}};
-    if (name.find("heldOut") == 0)
+    if (shown.shows != figure::subject::heldOut)
     {
-        const heldOut& h = f.held()[std::stoi(name.substr(7)) - 1];
-        const bool changes = h.squareBefore != h.squareAfter;
-        facts["heldOut"] = describe(h);
-        facts["before"] = ratioWords(h.squareBefore);
-        facts["after"] = changes ? ratioWords(h.squareAfter) : string();
+        const bool isMap = shown.shows == figure::subject::map;
+        return renderTemplate("caption", {{isMap ? "map" : "fitted", true}});
     }
-    return renderTemplate("caption", facts);
+    const heldOut& h = f.held()[shown.held];
+    const bool changes = h.squareBefore != h.squareAfter;
+    return renderTemplate
+    (
+        "caption",
+        {
+            {"heldOut", describe(h)},
+            {"before", ratioWords(h.squareBefore)},
+            {"after", changes ? ratioWords(h.squareAfter) : string()}
+        }
+    );
 }
 
 
-json figure(const finding& f, const fileName& file)
+//- Its caption, and its file as the page holds it
+json withBytes(const finding& f, const figure& shown)
 {
-    const string bytes(contentOf(file));
+    const string bytes(contentOf(shown.file));
     std::ostringstream os;
     base64Layer encode(os);
     encode.write(bytes.data(), bytes.size());
     encode.close();
-    return {{"caption", caption(f, file.nameLessExt())}, {"bytes", os.str()}};
+    return {{"caption", caption(f, shown)}, {"bytes", os.str()}};
 }
 
 } // End anonymous namespace
@@ -237,7 +243,7 @@ std::string Foam::misfit::reportHtml
 (
     const finding& f,
     const origin& from,
-    const List<fileName>& figures
+    const std::vector<figure>& figures
 )
 {
     json page(recordOf(f, from.title));
@@ -245,9 +251,10 @@ std::string Foam::misfit::reportHtml
     page["experiments"] = from.experiments;
     addAnswer(page, f);
     page["candidates"] = candidates(f, from);
-    for (const fileName& file : figures)
+    for (const figure& shown : figures)
     {
-        page[file.nameLessExt() == "map" ? "map" : "series"].push_back(figure(f, file));
+        const bool isMap = shown.shows == figure::subject::map;
+        page[isMap ? "map" : "series"].push_back(withBytes(f, shown));
     }
 
     // Where mechanisms are named, what they change counts too

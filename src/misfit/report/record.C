@@ -13,7 +13,7 @@ using namespace Foam;
 using namespace Foam::misfit;
 
 //- Of the record: grows with each change of what its keys are or mean
-constexpr label schema = 7;
+constexpr label schema = 8;
 
 
 //- What is at its bound has none
@@ -26,7 +26,7 @@ json deviation(const scalar value, const bool pinned)
 json parameters(const finding& f)
 {
     json all = json::array();
-    const fitResult& with = f.best().best;
+    const fitResult& with = f.best().fit;
     forAll(f.detection.parameters, i)
     {
         const calibratedParameter& p = f.detection.parameters[i];
@@ -58,7 +58,7 @@ json fault(const finding& f)
     {
         return nullptr;
     }
-    const fitResult& best = f.best().best;
+    const fitResult& best = f.best().fit;
     const label n = what.fault->size();
     json deviations = json::array();
     for (label i = best.x.size() - n; i < best.x.size(); ++i)
@@ -72,6 +72,24 @@ json fault(const finding& f)
         {"kind", kindOf(*what.fault)},
         {"values", vec(best.x.tail(n))},
         {"deviations", deviations}
+    };
+}
+
+
+//- One explanation of a set: its mechanisms, and the channel that it blames with the
+//  other one of an exchange; null where it blames none
+json alternative(const hypothesis& h, const wordList& library)
+{
+    const auto name = [&](const int m) { return library[m]; };
+    const auto channel = [&](const std::string& channel)
+    {
+        return channel.empty() ? json() : json(channel);
+    };
+    return
+    {
+        {"mechanisms", each(h.mechanisms, name)},
+        {"channel", h.fault ? channel(h.fault->channel) : json()},
+        {"partner", h.fault ? channel(h.fault->partner) : json()}
     };
 }
 
@@ -266,6 +284,10 @@ Foam::misfit::recordOf(const finding& f, const string& title)
         return {{"name", d.name}, {"why", describe(d)}};
     };
     const auto where = [&f](const place& p) { return located(p, f.detection.data); };
+    const auto members = [&f](const hypothesisFit& w)
+    {
+        return alternative(w.what, f.library);
+    };
     const auto numbers = [&f](const gate& g) { return gateNumbers(g, f); };
     return
     {
@@ -273,6 +295,7 @@ Foam::misfit::recordOf(const finding& f, const string& title)
         {"case", title},
         {"verdict", verdictNames[f.verdict.kind]},
         {"names", answerOf(f)},
+        {"alternatives", each(f.verdict.alternatives, members)},
         {"words", describe(f)},
         {"confidence", std::round(1000*f.verdict.confidence)/1000},
         {"confidenceFrom", grounds(f)},

@@ -105,7 +105,7 @@ void Foam::misfit::writeReport
     const origin& from
 )
 {
-    const List<fileName> figures(drawFigures(f, folder/"plots"));
+    const std::vector<figure> figures(drawFigures(f, folder/"plots"));
     writeWhole(folder/"report.html", reportHtml(f, from, figures));
     writeWhole(folder/"verdict.json", verdictJson(f, from.title));
 }

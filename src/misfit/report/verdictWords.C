@@ -74,7 +74,7 @@ void addUnknown(json& facts, const finding& f)
 void addFault(json& facts, const finding& f)
 {
     const sensorFault& fault = *f.best().what.fault;
-    const fitResult& best = f.best().best;
+    const fitResult& best = f.best().fit;
     const vec size = best.x.tail(fault.size());
     segment at(f.detection.data.segments.front());
     for (const segment& s : f.detection.data.segments)
@@ -169,7 +169,7 @@ json winsWithout(const finding& f)
         wordList channels;
         for (const winner& w : f.tests.winners)
         {
-            const hypothesis& other = w.what.what;
+            const hypothesis& other = w.explanation.what;
             if (other.fault == one.what.fault && other.hasMechanismsOf(one.what))
             {
                 channels.append(w.channel);

@@ -38,6 +38,28 @@ series readSeries(const std::string& line)
     return s;
 }
 
+
+//- Stop for what a file of runs has
+void refuse(const fileName& file, const char* why)
+{
+    FatalErrorInFunction
+        << "The file of runs " << file << ' ' << why << ". Delete it to"
+        << " compute them again" << exit(FatalError);
+}
+
+
+//- Read the next line of a file of runs; false where there is none
+bool hasLine(std::istream& is, std::string& line, const fileName& file)
+{
+    const bool any = bool(std::getline(is, line));
+    if (any && is.eof())
+    {
+        // Without its end it may have lost values
+        refuse(file, "ends within a run");
+    }
+    return any;
+}
+
 } // End anonymous namespace
 
 
@@ -147,26 +169,11 @@ Foam::misfit::keptRuns::table Foam::misfit::keptRuns::read() const
     }
     std::ifstream is(file);
     std::string line;
-    const auto stop = [this](const char* why)
+    if (!hasLine(is, line, file) || line != head)
     {
-        FatalErrorInFunction
-            << "The file of runs " << file << ' ' << why << ". Delete it to"
-            << " compute them again" << exit(FatalError);
-    };
-    const auto hasLine = [&]()
-    {
-        const bool any = bool(std::getline(is, line));
-        if (any && is.eof())
-        {
-            // Without its end it may have lost values
-            stop("ends within a run");
-        }
-        return any;
-    };
-    if (!hasLine() || line != head)
-    {
-        stop
+        refuse
         (
+            file,
             "is of runs with other formulas, files, numbers or channels than the"
             " dictionary of its side has now"
         );
@@ -178,7 +185,7 @@ Foam::misfit::keptRuns::table Foam::misfit::keptRuns::read() const
         numbers.insert(recorded.channels()[c].name, c);
     }
     prediction* run = nullptr;
-    while (hasLine())
+    while (hasLine(is, line, file))
     {
         const word first(line.substr(0, line.find(' ')), false);
         if (run && numbers.found(first))
@@ -200,7 +207,7 @@ Foam::misfit::keptRuns::table Foam::misfit::keptRuns::read() const
     {
         if (runs.found(names[i]) && !isWhole(states[i], runs[names[i]]))
         {
-            stop("ends within a run");
+            refuse(file, "ends within a run");
         }
     }
     return runs;
@@ -244,7 +251,7 @@ void Foam::misfit::keptRuns::checkStopped(const stringList& stopped) const
 
 Foam::List<Foam::misfit::prediction> Foam::misfit::keptRuns::predictions
 (
-    solverPredictor& ask,
+    solverPredictor& solver,
     const label most,
     const label batch
 ) const
@@ -261,11 +268,11 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::keptRuns::predictions
         tell(runs, timer.elapsedTime()/max(first, label(1)), first ? end - first : 0);
         const labelList some(SubList<label>(todo, min(batch, end - first), first));
         const List<runState> missing(UIndirectList<runState>(states, some));
-        const List<prediction> more(ask.predict(missing));
+        const List<prediction> more(solver.predict(missing));
         forAll(some, i)
         {
             const string& name = names[some[i]];
-            if (ask.wasStopped(missing[i]))
+            if (solver.wasStopped(missing[i]))
             {
                 stopped.append(name);
                 continue;

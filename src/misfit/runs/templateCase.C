@@ -6,6 +6,7 @@
 
 #include "OSspecific.H"
 #include "SHA1.H"
+#include "stringOps.H"
 
 #include <algorithm>
 #include <filesystem>
@@ -16,6 +17,23 @@ namespace
 {
 
 using namespace Foam;
+
+//- True if one of the commands calls a program, also through another as mpirun
+bool anyCalls(const stringList& commands, const string& program)
+{
+    for (const string& c : commands)
+    {
+        for (const auto& word : stringOps::splitSpace(c))
+        {
+            if (fileName(word.str()).name() == program)
+            {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 
 //- All regular files below a folder, sorted
 void filesBelow(const fileName& folder, fileNameList& files)
@@ -217,14 +235,7 @@ Foam::misfit::templateCase::templateCase
     files_(files),
     dictionaryName_(dictionaryName),
     commands_(commands),
-    meshIsMade_
-    (
-        std::any_of
-        (
-            commands.cbegin(), commands.cend(),
-            [](const string& c) { return c.find("blockMesh") != string::npos; }
-        )
-    ),
+    meshIsMade_(anyCalls(commands, "blockMesh")),
     folder(caseFolder)
 {
     for (const fileName& part : parts())

@@ -20,7 +20,7 @@ mat predictionErrors
     const hypothesisFit& best
 )
 {
-    const vec& x = best.best.x;
+    const vec& x = best.fit.x;
     const mat unsure = covarianceWithin
     (
         fitted.model(best.what), whitener(best.covariance), x

@@ -54,13 +54,13 @@ statistics::placebo::placebo
 {
     const stacked& data = m.data();
     const vec y = data.y;
-    const vec& without = base.best.f;
+    const vec& without = base.fit.f;
     sampledModel copy(m);
 
     copy.record(2*without - y);
     gain = statistics::gain(copy, best.what);
 
-    const vec effect = best.best.f - without;
+    const vec effect = best.fit.f - without;
     const whitener white(base.covariance);
     moved = likeness(white(effect), white(halfRoundLater(data, effect))) < lasting;
     if (moved)

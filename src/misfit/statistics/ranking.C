@@ -93,7 +93,7 @@ std::vector<statistics::hypothesisFit> statistics::scoring::all
         );
         if (h.movesRecord())
         {
-            w = withBaseCovariance(h, whitener(ownCovariance(w, w.best.f)));
+            w = withBaseCovariance(h, whitener(ownCovariance(w, w.fit.f)));
         }
         list.push_back(w);
     }

@@ -22,8 +22,8 @@ mat movedCovariance
 )
 {
     const sensorFault& fault = *w.what.fault;
-    const vec u = model.ofFault(w.best.x);
-    const vec f = surface(model.expand(w.best.x));
+    const vec u = model.ofFault(w.fit.x);
+    const vec f = surface(model.expand(w.fit.x));
     const covariance sensors(data, 0);
 
     // It is linear: T C T' by its columns, twice
@@ -81,7 +81,7 @@ statistics::scoring::modelDiscrepancy(const hypothesisFit& w) const
 {
     mat c = mat::Zero(data_.size(), data_.size());
     const hypothesisModel model(this->model(w.what));
-    const vec all = model.expand(w.best.x);
+    const vec all = model.expand(w.fit.x);
     for (const int m : w.what.mechanisms)
     {
         vec without = all;
@@ -185,9 +185,9 @@ statistics::hypothesisFit statistics::scoring::withBaseCovariance
 {
     hypothesisFit w;
     w.what = h;
-    w.best = fit(model(h), data_.y, white);
+    w.fit = fit(model(h), data_.y, white);
     w.score =
-        w.best.objective + white.logDeterminant()
+        w.fit.objective + white.logDeterminant()
       + h.size()*std::log(effectiveSize_);
     return w;
 }
@@ -216,7 +216,7 @@ statistics::scoring::withOwnCovariance(const hypothesisFit& first) const
     {
         for (int pass = 0; pass < 2; ++pass)
         {
-            const mat c = ownCovariance(w, w.best.f) + modelDiscrepancy(w);
+            const mat c = ownCovariance(w, w.fit.f) + modelDiscrepancy(w);
             w = withBaseCovariance(first.what, whitener(c));
             w.covariance = c;
         }
@@ -233,7 +233,7 @@ statistics::hypothesisFit statistics::scoring::where(const hypothesisFit& w) con
     if (!w.what.unknown)
     {
         there.covariance =
-            ownCovariance(w, model(w.what)(w.best.x)) + modelDiscrepancy(w);
+            ownCovariance(w, model(w.what)(w.fit.x)) + modelDiscrepancy(w);
     }
     return where(there, whitener(there.covariance));
 }
@@ -246,9 +246,9 @@ statistics::hypothesisFit statistics::scoring::where
 ) const
 {
     hypothesisFit there(w);
-    there.best = fitAt(model(w.what), data_.y, white, w.best.x);
+    there.fit = fitAt(model(w.what), data_.y, white, w.fit.x);
     there.score =
-        there.best.objective + white.logDeterminant()
+        there.fit.objective + white.logDeterminant()
       + w.what.size()*std::log(effectiveSize_) + w.number;
     return there;
 }

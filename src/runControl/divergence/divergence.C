@@ -31,7 +31,7 @@ void Foam::stopDiverged
 (
     const volVectorField& U,
     const string& why,
-    const std::function<void()>& lastLook
+    const std::function<void()>& writeState
 )
 {
     // A trap would stop at a number that is none
@@ -52,7 +52,7 @@ void Foam::stopDiverged
     }
 
     const scalar fastestOfAll = returnReduce(fastest, maxOp<scalar>());
-    lastLook();
+    writeState();
 
     // No rank ends the others before they have written
     compatibility::barrier();
@@ -78,7 +78,7 @@ void Foam::stopDiverged
 }
 
 
-void Foam::checkSpeed(const volVectorField& U, const std::function<void()>& lastLook)
+void Foam::checkSpeed(const volVectorField& U, const std::function<void()>& writeState)
 {
     // Of sound in air [m/s]: neither fluid would be incompressible
     const scalar sound = 340;
@@ -92,7 +92,7 @@ void Foam::checkSpeed(const volVectorField& U, const std::function<void()>& last
 
     if (!returnReduce(calm, andOp<bool>()))
     {
-        stopDiverged(U, "the fluid is faster than sound (340 m/s).", lastLook);
+        stopDiverged(U, "the fluid is faster than sound (340 m/s).", writeState);
     }
 }
 
@@ -100,8 +100,8 @@ void Foam::checkSpeed(const volVectorField& U, const std::function<void()>& last
 void Foam::checkLeastStep
 (
     const volVectorField& U,
-    const scalar wanted,
-    const std::function<void()>& lastLook
+    const scalar courantStep,
+    const std::function<void()>& writeState
 )
 {
     const dictionary& control = U.time().controlDict();
@@ -111,13 +111,13 @@ void Foam::checkLeastStep
         1e-6*control.get<scalar>("deltaT")
     );
 
-    if (!(wanted >= least))
+    if (!(courantStep >= least))
     {
         OStringStream why;
-        why << "the Courant numbers ask for fluid steps of " << wanted
+        why << "the Courant numbers ask for fluid steps of " << courantStep
             << " s, less than minDeltaT of system/controlDict, " << least
             << " s (without it, a millionth of deltaT).";
-        stopDiverged(U, why.str(), lastLook);
+        stopDiverged(U, why.str(), writeState);
     }
 }
 
@@ -143,7 +143,7 @@ Foam::scalar Foam::unlikelySpeed(const volVectorField& U, const vector& g)
 }
 
 
-void Foam::blameFlow
+void Foam::runExplainingErrors
 (
     const volVectorField& U,
     const surfaceScalarField& phiU,

@@ -65,6 +65,7 @@ void Foam::outputControl::endStep()
 
     if (atOneTime && stop_.requested())
     {
+        stops_ = true;
         Info<< "Stop requested: writing, then ending" << endl;
         runTime_.setEndTime(runTime_.value());
     }
@@ -102,6 +103,10 @@ void Foam::outputControl::end()
         write();
     }
 
+    if (stops_)
+    {
+        timeFolders::markStopRequested(runTime_);
+    }
     times_.print();
     Info<< "End\n" << endl;
 }

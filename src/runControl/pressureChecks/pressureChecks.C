@@ -37,6 +37,15 @@ scalar headAtEnd
     return returnReduce(head, maxOp<scalar>());
 }
 
+
+//- Types of patch that take the height along all of gravity, in OpenFOAM v1912 to v2506
+const wordHashSet takesHeight
+({
+    "prghPressure", "prghTotalPressure", "prghTotalHydrostaticPressure",
+    "prghPermeableAlphaTotalPressure", "uniformDensityHydrostaticPressure",
+    "phaseHydrostaticPressure"
+});
+
 }
 
 
@@ -51,10 +60,7 @@ void Foam::checkPressurePatches
         if
         (
             hydrostatic.drives()
-         && (
-                patch.type().find("rgh") != std::string::npos
-             || patch.type().find("ydrostatic") != std::string::npos
-            )
+         && takesHeight.found(patch.type())
         )
         {
             FatalErrorInFunction

@@ -186,6 +186,14 @@ void Foam::timeFolders::unmark(const Time& runTime)
 }
 
 
+void Foam::timeFolders::markStopRequested(const Time& runTime)
+{
+    const fileName folder(timeOnDisk(runTime)/"uniform");
+    mkDir(folder);
+    OFstream(folder/"stopRequested")() << "// The run ended here on request" << nl;
+}
+
+
 void Foam::timeFolders::stopIncomplete(const Time& runTime, const string& why)
 {
     FatalErrorInFunction

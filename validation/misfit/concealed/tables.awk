@@ -38,9 +38,9 @@ function isThat(cell, value, cases,    parts, digits)
     return cell != "" && (cell - value)^2 <= (0.5000001*10^-digits)^2
 }
 
-function wrong(cell, wanted)
+function wrong(cell, expected)
 {
-    print FILENAME ": " name " has " cell " where the table has " wanted
+    print FILENAME ": " name " has " cell " where the table has " expected
 }
 
 /^score,/ { files++; next }

@@ -5,7 +5,7 @@
 #   -v strip     length of a strip [m]
 #   -v fraction  solid fraction of the debris
 
-function told(    i)
+function printStrips(    i)
 {
     for (i in volume)
         print time, (i + 0.5)*strip, volume[i]/(fraction*width*strip), \
@@ -14,7 +14,7 @@ function told(    i)
     delete weighted
 }
 
-FNR == 1 { told(); n = split(FILENAME, part, "/"); time = part[n - 1] }
+FNR == 1 { printStrips(); n = split(FILENAME, part, "/"); time = part[n - 1] }
 /^#/ || $1 < 0 { next }
 {
     i = int($1/strip)
@@ -22,4 +22,4 @@ FNR == 1 { told(); n = split(FILENAME, part, "/"); time = part[n - 1] }
     volume[i] += V
     weighted[i] += V*$5
 }
-END { told() }
+END { printStrips() }

@@ -65,12 +65,12 @@ std::vector<freeParameter> viscosityAndChoice()
 }
 
 
-calibrationTarget target(const scalar c, const vec& wanted)
+calibrationTarget target(const scalar c, const vec& expected)
 {
     calibrationTarget t;
     t.surface = surfaceOfRuns();
     t.conditions = vec::Constant(1, c);
-    t.values = wanted;
+    t.values = expected;
     t.deviation = vec::Constant(2, 0.1);
     return t;
 }

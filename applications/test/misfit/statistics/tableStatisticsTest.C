@@ -179,9 +179,9 @@ TEST(tableStatistics, rowsWithEmptyCellsAreLeftOutAndWordsElsewhereAreNot)
         columnsOf("run,y,x,output\na,1,2,done\nb,,4,not run\nc,5,6e-1,\n");
     ASSERT_EQ(all.rows(), 3);
     const mat complete = statistics::completeRows(all);
-    mat wanted(2, 2);
-    wanted << 2, 1, 0.6, 5;
-    EXPECT_EQ(complete, wanted);
+    mat expected(2, 2);
+    expected << 2, 1, 0.6, 5;
+    EXPECT_EQ(complete, expected);
 }
 
 
@@ -198,7 +198,7 @@ TEST(tableStatistics, aTableThatIsWrongIsAnError)
 
 TEST(tableStatistics, linesOfCommentAreNoRows)
 {
-    mat wanted(1, 2);
-    wanted << 1, 2;
-    EXPECT_EQ(columnsOf("# a table\nx,y\n\n1,2\n# 3,4\n"), wanted);
+    mat expected(1, 2);
+    expected << 1, 2;
+    EXPECT_EQ(columnsOf("# a table\nx,y\n\n1,2\n# 3,4\n"), expected);
 }

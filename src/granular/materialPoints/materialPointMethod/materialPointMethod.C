@@ -84,7 +84,6 @@ Foam::materialPointMethod::materialPointMethod
     grid_(grid),
     walls_(grid_),
     outlets_(grid_),
-    hasOutlets_(false),
     gateSide_(0),
     g_(g),
     flipShare_(flipShare(dict)),
@@ -94,7 +93,6 @@ Foam::materialPointMethod::materialPointMethod
     courant_(dict.getOrDefault<scalar>("courant", 0.4)),
     sideFriction_(ofSideWalls(dict, grid, "friction")),
     width_(ofSideWalls(dict, grid, "width")),
-    open_(false),
     nLeft_(0),
     sinceSorted_(sortInterval),
     nodes_(1)

@@ -28,6 +28,51 @@ namespace
     //- What a seed shifts points by at most, in their distances: little enough that none
     //  leaves a body
     constexpr scalar scatter = 0.1;
+
+
+    label pointsPerCell(const dictionary& dict)
+    {
+        const label perCell = dict.getOrDefault<label>("pointsPerCell", 2);
+
+        if (perCell < 1)
+        {
+            FatalIOErrorInFunction(dict)
+                << "pointsPerCell is " << perCell << "; give the number of points"
+                << " of a cell along each direction, 1 or more (usual: 2)."
+                << exit(FatalIOError);
+        }
+
+        return perCell;
+    }
+
+
+    label seedOf(const dictionary& dict)
+    {
+        const label seed = dict.getOrDefault<label>("seed", 0);
+
+        if (seed < 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << "seed is " << seed << "; give 0 for points in rows, or a number above"
+                << " for each replicate." << exit(FatalIOError);
+        }
+
+        return seed;
+    }
+
+
+    //- The entries of a body without those that its law does not know
+    dictionary lawEntries(const dictionary& body)
+    {
+        dictionary law(body);
+
+        for (const char* key : {"region", "walls", "settling", "U"})
+        {
+            law.remove(key);
+        }
+
+        return law;
+    }
 }
 
 
@@ -38,23 +83,8 @@ void Foam::materialPointMethod::addBodies
 )
 {
     const dictionary& bodies = dict.subDict("bodies");
-    const label perCell = dict.getOrDefault<label>("pointsPerCell", 2);
-
-    if (perCell < 1)
-    {
-        FatalIOErrorInFunction(dict)
-            << "pointsPerCell is " << perCell << "; give the number of points"
-            << " of a cell along each direction, 1 or more (usual: 2)."
-            << exit(FatalIOError);
-    }
-
-    const label seed = dict.getOrDefault<label>("seed", 0);
-    if (seed < 0)
-    {
-        FatalIOErrorInFunction(dict)
-            << "seed is " << seed << "; give 0 for points in rows, or a number above"
-            << " for each replicate." << exit(FatalIOError);
-    }
+    const label perCell = pointsPerCell(dict);
+    const label seed = seedOf(dict);
 
     PtrList<pointRegion> regions;
     for (const entry& body : bodies)
@@ -67,14 +97,8 @@ void Foam::materialPointMethod::addBodies
                 << " region." << exit(FatalIOError);
         }
 
-        dictionary law(body.dict());
-        law.remove("region");
-        law.remove("walls");
-        law.remove("settling");
-        law.remove("U");
-
         bodies_.append(body.keyword());
-        laws_.append(constitutiveLaw::New(law).ptr());
+        laws_.append(constitutiveLaw::New(lawEntries(body.dict())).ptr());
 
         if (withPoints)
         {

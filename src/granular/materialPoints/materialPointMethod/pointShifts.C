@@ -2,6 +2,7 @@
 // The material-point method: points shift out of places that they overfill.
 
 #include "materialPointMethod.H"
+#include "sharedNodes.H"
 
 namespace
 {
@@ -115,7 +116,7 @@ void Foam::materialPointMethod::findRoom()
             addWholeCell<D>(sum, cell);
         }
     }
-    share(sum);
+    sumShared(grid_, sum);
 
     // What little is in front of a wall at nodes behind it says nothing
     const scalar least = 0.25*grid_.cubeVolume(grid_.h());
@@ -154,7 +155,7 @@ void Foam::materialPointMethod::findCrowding()
             crowding_[fieldOf(i)], lanes(occupiedVolume(i), 0, 0, 0), flat
         );
     }
-    share(crowding_);
+    sumShared(grid_, crowding_);
 
     for (nodeLanes& ofBody : crowding_)
     {

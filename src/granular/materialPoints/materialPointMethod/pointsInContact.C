@@ -2,6 +2,7 @@
 // The material-point method: where bodies touch, and with which normal.
 
 #include "materialPointMethod.H"
+#include "sharedNodes.H"
 
 template<int D>
 void Foam::materialPointMethod::findTouching()
@@ -50,7 +51,7 @@ void Foam::materialPointMethod::touch()
 
     const pointSet& p = points_;
     findTouching<D>();
-    clear(inward_);
+    setZero(inward_);
 
     forAll(p.x, i)
     {
@@ -71,7 +72,7 @@ void Foam::materialPointMethod::touch()
         }
     }
 
-    share(inward_);
+    sumShared(grid_, inward_);
     contact_->apply(nodes_, inward_, grid_.cubeVolume(grid_.h()), touching_);
 }
 

@@ -2,6 +2,7 @@
 // The material-point method: from points to nodes and back.
 
 #include "materialPointMethod.H"
+#include "sharedNodes.H"
 
 namespace
 {
@@ -37,15 +38,6 @@ Foam::vector Foam::materialPointMethod::toVector(const lanes& l) const
 }
 
 
-void Foam::materialPointMethod::clear(std::vector<nodeLanes>& fields)
-{
-    for (nodeLanes& nodes : fields)
-    {
-        std::fill(nodes.begin(), nodes.end(), lanes(lanes::Zero()));
-    }
-}
-
-
 template<int D>
 void Foam::materialPointMethod::momentumToNodes(const scalar dt)
 {
@@ -53,7 +45,7 @@ void Foam::materialPointMethod::momentumToNodes(const scalar dt)
     const scalar h = grid_.h();
     const pointSet& p = points_;
 
-    clear(nodes_);
+    setZero(nodes_);
 
     forAll(p.x, i)
     {
@@ -89,7 +81,7 @@ void Foam::materialPointMethod::momentumToNodes(const scalar dt)
         splineStencil<D>(grid_, p.x[i]).add(nodes_[fieldOf(i)], value, slope);
     }
 
-    share(nodes_);
+    sumShared(grid_, nodes_);
 }
 
 
@@ -99,7 +91,7 @@ void Foam::materialPointMethod::forceToNodes(const scalar dt)
     const scalar h = grid_.h();
     const pointSet& p = points_;
 
-    clear(change_);
+    setZero(change_);
 
     forAll(p.x, i)
     {
@@ -120,7 +112,7 @@ void Foam::materialPointMethod::forceToNodes(const scalar dt)
         splineStencil<D>(grid_, p.x[i]).add(change_[fieldOf(i)], value, slope);
     }
 
-    share(change_);
+    sumShared(grid_, change_);
 }
 
 

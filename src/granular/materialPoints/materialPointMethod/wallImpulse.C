@@ -2,6 +2,7 @@
 // The material-point method: the impulse of walls on points.
 
 #include "materialPointMethod.H"
+#include "sharedNodes.H"
 
 template<int D>
 void Foam::materialPointMethod::addWallImpulses
@@ -25,7 +26,7 @@ void Foam::materialPointMethod::addWallImpulses
             );
         }
     }
-    share(mass);
+    sumShared(grid_, mass);
 
     // A grid may have many more nodes than walls hold: only these change
     nodeLanes perMass(grid_.nNodes(), lanes(lanes::Zero()));

@@ -292,7 +292,7 @@ void Foam::materialPointsPhase::end()
 }
 
 
-void Foam::materialPointsPhase::takeSteps(const enteredGrains&)
+void Foam::materialPointsPhase::takeSteps(const entryHandler&)
 {
     begin();
     move(exchangeInterval());

@@ -264,14 +264,14 @@ void Foam::materialPointsWalls::open
         const label side = openedSide(mesh, patch, outflow);
         if (side >= 0)
         {
-            method.open(side);
+            method.outlets().open(side);
         }
         else
         {
-            method.addOutlet(patch.name(), faces(patch));
+            method.outlets().add(patch.name(), faces(patch));
         }
     }
-    if (!method.hasOutlets())
+    if (!method.outlets().hasFaces())
     {
         return;
     }
@@ -281,8 +281,8 @@ void Foam::materialPointsWalls::open
     {
         if (isWall(patches[i], walls))
         {
-            method.addWallBesideOutlets(patches[i].name(), faces(patches[i]));
+            method.outlets().addWallBeside(patches[i].name(), faces(patches[i]));
         }
     }
-    method.findOutlets();
+    method.outlets().findNodes();
 }

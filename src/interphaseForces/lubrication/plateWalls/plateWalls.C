@@ -44,11 +44,11 @@ Foam::plateWalls::plateWalls(const polyMesh& mesh, const wordRes& patches)
 
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
-        const bool wanted =
+        const bool isChosen =
             isA<wallPolyPatch>(patch)
          && (patches.empty() || patches.match(patch.name()));
 
-        for (label i = 0; wanted && i < patch.size(); ++i)
+        for (label i = 0; isChosen && i < patch.size(); ++i)
         {
             const vector normal(patch.faceAreas()[i]/mag(patch.faceAreas()[i]));
             add

@@ -172,7 +172,7 @@ Foam::scalar Foam::dilatantMuI::dilatancy
 }
 
 
-Foam::scalar Foam::dilatantMuI::strength
+Foam::scalar Foam::dilatantMuI::yieldLimit
 (
     const scalar rate,
     const scalar p,
@@ -340,7 +340,7 @@ void Foam::dilatantMuI::update
         const bool elastic =
             phi >= loosest_
          && trial.p >= 0
-         && trial.rootJ2 <= strength(0, trial.p, phi);
+         && trial.rootJ2 <= yieldLimit(0, trial.p, phi);
 
         const state after(elastic ? trial : returned(trial, phi, dt));
 

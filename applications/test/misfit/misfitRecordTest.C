@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The record of a diagnosis and its summary: whole, and readable by programs.
+
+#include "jsonSchema.H"
+#include "terminalOutput.H"
+#include "testFinding.H"
+#include "words.H"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <limits>
+
+using namespace Foam;
+using namespace Foam::misfit;
+
+
+TEST(misfitRecord, theRecordIsReadableByPrograms)
+{
+    const auto j = nlohmann::json::parse(verdictJson(found(), "case"));
+    EXPECT_EQ(j["verdict"], "named");
+    EXPECT_EQ(j["names"][0], "porePressure");
+    EXPECT_EQ(j["words"], describe(found()));
+    EXPECT_EQ(j["located"][0]["channel"], "P1");
+    EXPECT_EQ(j["gates"][0]["name"], "detection");
+    EXPECT_EQ(j["gates"][0]["value"], 0.001);
+    EXPECT_EQ(j["gates"][0]["bound"], "below");
+    EXPECT_TRUE(j["gates"][0]["limit"].is_number());
+    EXPECT_EQ(j["gates"][0]["result"], "passed");
+    EXPECT_EQ(j["heldOut"][0]["meanSquareAfter"], 1);
+    EXPECT_NEAR(j["uncertainty"]["P1"]["whole"], 20, 1e-9);
+    EXPECT_NEAR(j["uncertainty"]["P1"]["mesh"], 16, 1e-9);
+}
+
+
+TEST(misfitRecord, theRecordIsOfItsSchemaAndReadsBackAsItWasFound)
+{
+    const finding f(found());
+    const auto j = nlohmann::json::parse(verdictJson(f, "case"));
+    expectOfSchema("verdict.schema.json", j);
+    EXPECT_EQ(j["departures"][0]["differsFrom"], 0.35);
+    EXPECT_EQ(verdictNames[word(j["verdict"].get<std::string>())], f.verdict.kind);
+    EXPECT_EQ(j["names"].get<std::vector<std::string>>().front(), f.verdict.names[0]);
+    EXPECT_EQ(j["confidence"], f.verdict.confidence);
+    EXPECT_EQ(j["confidenceFrom"].size(), groundNames.size());
+    EXPECT_EQ(j["confidenceFrom"]["lead"], 3.5);
+    EXPECT_EQ(j["confidenceFrom"]["more"], 0);
+    EXPECT_EQ(j["strengths"][0]["name"], f.verdict.strengths[0].name);
+    EXPECT_EQ(j["strengths"][0]["value"], f.verdict.strengths[0].value);
+    EXPECT_EQ(j["detection"]["p"], f.detection.calibrated.p);
+    EXPECT_EQ(j["heldOut"][0]["what"], describe(f.tests.held[0]));
+    EXPECT_EQ(j["heldOut"][0]["use"], purposeNames[f.tests.held[0].use]);
+    EXPECT_EQ(j["heldOut"][0]["meanSquareBefore"], f.tests.held[0].squareBefore);
+}
+
+
+TEST(misfitRecord, theRecordOfASetHasTheMembersOfEach)
+{
+    finding f(found());
+    f.verdict.kind = verdictKind::set;
+    f.verdict.names.clear();
+    hypothesisFit fault;
+    fault.what.fault = possibleFaults(f.detection.data, {faultKind::gain}).front();
+    f.verdict.alternatives = {mechanisms({0, 1}), fault};
+    const auto all = nlohmann::json::parse(verdictJson(f, "case"))["alternatives"];
+    ASSERT_EQ(all.size(), 2);
+    EXPECT_EQ(all[0]["mechanisms"], nlohmann::json({"porePressure", "walls"}));
+    EXPECT_TRUE(all[0]["channel"].is_null());
+    EXPECT_TRUE(all[1]["mechanisms"].empty());
+    EXPECT_EQ(all[1]["channel"], "P1");
+    EXPECT_TRUE(all[1]["partner"].is_null());
+}
+
+
+TEST(misfitRecord, aNumberInASentenceHasNoExponent)
+{
+    EXPECT_EQ(numberWords(0.125), "0.125");
+    EXPECT_EQ(numberWords(1.5e-6), "1.5e-06");
+    EXPECT_EQ(numberWords(9999.6), "10000");
+    EXPECT_EQ(numberWords(123456, 3), "123000");
+    EXPECT_EQ(numberWords(-123456, 2), "-120000");
+    EXPECT_EQ(numberWords(2e17), "more than 1000000000");
+    EXPECT_EQ(ratioWords(-1e6), "less than -100000");
+    EXPECT_EQ(ratioWords(99999, 3), "100000");
+    EXPECT_EQ(percentWords(-0.001), "0 %");
+    EXPECT_EQ(percentWords(11), "more than 1000 %");
+    EXPECT_EQ(percentWords(0), "0 %");
+    EXPECT_EQ(percentWords(1), "100 %");
+    EXPECT_EQ(percentWords(0.004), "less than 1 %");
+    EXPECT_EQ(percentWords(0.006), "1 %");
+    EXPECT_EQ(percentWords(0.994), "99 %");
+    EXPECT_EQ(percentWords(0.9996), "more than 99 %");
+    EXPECT_EQ(percentWords(1.004), "100 %");
+    const scalar nan = std::numeric_limits<scalar>::quiet_NaN();
+    EXPECT_EQ(percentWords(nan), "not known");
+    EXPECT_EQ(numberWords(nan), "not known");
+    EXPECT_EQ(ratioWords(-std::numeric_limits<scalar>::infinity()), "less than -100000");
+}
+
+
+TEST(misfitRecord, theTerminalSaysOfWhatTheConfidenceIs)
+{
+    finding f(found());
+    f.verdict.kind = verdictKind::registration;
+    f.verdict.names = {"P1", "P2"};
+    judged(f).mechanisms.clear();
+    judged(f).fault = possibleFaults(f.detection.data, {faultKind::swapped}).front();
+    f.explained.all().front().fit.x.resize(0);
+    const std::string text(summaryOf(f, "misfit"));
+    expectHolds(text, "Confidence 90 % that the fault is at P1 and P2");
+    expectHolds(text, "in all of which it was the clock");
+    expectHolds(text, "misfit/verdict.json");
+}
