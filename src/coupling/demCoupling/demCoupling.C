@@ -11,9 +11,6 @@
 #include "keywords.H"
 #include "resultsVersion.H"
 
-const Foam::word Foam::demCoupling::waterName("waterAtExchange");
-
-
 Foam::demCoupling::demCoupling
 (
     const fvMesh& mesh,
@@ -110,52 +107,6 @@ Foam::demCoupling::demCoupling(const fvMesh& mesh, const vector& g)
     {
         checkGrainsInWalls(*phase_, *exchange_);
     }
-}
-
-
-void Foam::demCoupling::makeWaterAtExchange(const scalarField& water)
-{
-    waterAtExchange_.reset
-    (
-        new volScalarField
-        (
-            IOobject
-            (
-                waterName,
-                mesh_.time().timeName(),
-                mesh_,
-                phase_->restarted()
-              ? IOobject::READ_IF_PRESENT : IOobject::NO_READ,
-                IOobject::AUTO_WRITE
-            ),
-            mesh_,
-            dimensionedScalar("water", dimless, 1),
-            "zeroGradient"
-        )
-    );
-
-    if (!hasWaterAtExchange(mesh_) || !phase_->restarted())
-    {
-        setWaterAtExchange(water);
-    }
-}
-
-
-void Foam::demCoupling::setWaterAtExchange(const scalarField& water)
-{
-    if (water.size())
-    {
-        waterAtExchange_->primitiveFieldRef() = water;
-        waterAtExchange_->correctBoundaryConditions();
-    }
-}
-
-
-bool Foam::demCoupling::hasWaterAtExchange(const fvMesh& mesh)
-{
-    return
-        IOobject(waterName, mesh.time().timeName(), mesh)
-       .typeHeaderOk<volScalarField>(true);
 }
 
 
@@ -324,65 +275,11 @@ void Foam::demCoupling::locateGrains()
 }
 
 
-void Foam::demCoupling::findVoidFraction(const scalarField& water)
-{
-    setWaterAtExchange(water);
-    findVoidFraction();
-}
-
-
-void Foam::demCoupling::findVoidFraction()
-{
-    const stageTimes::stage stage(times_, "findVoidFraction");
-    solidBefore_ = solidAfter_;
-    solids_->setWater(waterAtExchange_->primitiveField());
-    solids_->update();
-    solidAfter_ = solids_->solidFraction();
-    if (transport_)
-    {
-        transport_->update(*exchange_, solids_->mapping());
-    }
-}
-
-
 void Foam::demCoupling::prepareForces(const fluidFields& fluid)
 {
     const stageTimes::stage stage(times_, "prepareForces");
     resetSums(fluid.U);
     forces_->prepare(fluid, clock_->interval());
-}
-
-
-Foam::tmp<Foam::volScalarField::Internal>
-Foam::demCoupling::voidFractionRate
-(
-    const volScalarField& voidFraction,
-    const slidingGate& gate,
-    const scalar dt
-)
-{
-    const scalar interval = clock_->interval();
-    const scalar done = min((clock_->elapsed() + dt)/interval, scalar(1));
-    const scalarField target
-    (
-        1 - ((1 - done)*solidBefore_ + done*solidAfter_)
-    );
-
-    // Within a fluid step the flux would jump where their number in an interval
-    // changes, and the pressure with it
-    auto rate = tmp<volScalarField::Internal>::New
-    (
-        IOobject("voidFractionRate", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimless/dimTime,
-        (target - voidFraction.primitiveField())/relaxationTime()
-    );
-    if (transport_)
-    {
-        lag_ = gMax(mag(target - voidFraction.primitiveField()));
-        rate.ref().field() += transport_->voidFractionRate(voidFraction, gate);
-    }
-    return rate;
 }
 
 
