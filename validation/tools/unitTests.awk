@@ -9,7 +9,7 @@
 # of the test before it, "[rank 1] Suite.test: words", since it may come before
 # the first rank begins that test or after it has ended it.
 
-function tell(verdict, what, words)
+function record(verdict, what, words)
 {
     if (verdict == "failed") printf "%s", words
     printf "%5d  %-8s %s: %s%s\n", ++number, verdict, name, what, numbers[what]
@@ -69,11 +69,11 @@ test != "" && /^\[  FAILED  \]/ { end("failed"); next }
 END {
     for (i = 1; i <= n; i++)
         if (verdict[tests[i]] != "")
-            tell(verdict[tests[i]], tests[i], output[tests[i]])
-    if (ended && !n) tell("failed", "no test ran")
+            record(verdict[tests[i]], tests[i], output[tests[i]])
+    if (ended && !n) record("failed", "no test ran")
     if (ended && (failures || status == 0)) exit
     if (test == "")
-        tell("failed", "the program broke off with status " status, all)
+        record("failed", "the program broke off with status " status, all)
     else
-        tell("failed", test " broke off with status " status, output[test] output[""])
+        record("failed", test " broke off with status " status, output[test] output[""])
 }

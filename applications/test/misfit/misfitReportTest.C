@@ -25,7 +25,7 @@ gate notApplicable(const gateKind kind)
 }
 
 
-bool says(const std::string& page, const std::string& words)
+bool contains(const std::string& page, const std::string& words)
 {
     return page.find(words) != std::string::npos;
 }
@@ -79,8 +79,8 @@ TEST(misfitReport, oneFileHoldsWordsAndPictures)
 TEST(misfitReport, theTopSaysWhichCaseWhenAndWhatWasRecorded)
 {
     const std::string page(reportHtml(found(), today(), {}));
-    EXPECT_TRUE(says(page, "<h1>Simulation against recordings: a case</h1>"));
-    EXPECT_TRUE(says(page, "2026 May 03"));
+    EXPECT_TRUE(contains(page, "<h1>Simulation against recordings: a case</h1>"));
+    EXPECT_TRUE(contains(page, "2026 May 03"));
     EXPECT_TRUE
     (
         says
@@ -105,16 +105,16 @@ TEST(misfitReport, aCandidateIsToldByItsTitleAndWhatItSets)
     );
 
     finding f(found());
-    EXPECT_TRUE(says(box(f), "porePressure: water that cannot leave at once."));
+    EXPECT_TRUE(contains(box(f), "porePressure: water that cannot leave at once."));
 
     // One that is called as a part of another name is not meant by it
     f.verdict.names = {"porePressures"};
     judged(f).mechanisms.clear();
-    EXPECT_FALSE(says(box(f), "water that cannot leave"));
+    EXPECT_FALSE(contains(box(f), "water that cannot leave"));
     f.verdict.kind = verdictKind::set;
     f.verdict.names.clear();
     f.verdict.alternatives = {mechanisms({1}), mechanisms({0, 1})};
-    EXPECT_TRUE(says(box(f), "porePressure: water that cannot leave at once."));
+    EXPECT_TRUE(contains(box(f), "porePressure: water that cannot leave at once."));
 }
 
 
@@ -134,11 +134,11 @@ TEST(misfitReport, theConfidenceSaysOfWhat)
     );
     finding uncounted(f);
     uncounted.verdict.grounds.resize(0);
-    EXPECT_TRUE(says(box(uncounted), "missing, by its score alone: no case"));
+    EXPECT_TRUE(contains(box(uncounted), "missing, by its score alone: no case"));
     f.verdict.kind = verdictKind::set;
     f.verdict.names.clear();
     f.verdict.alternatives = {mechanisms({0}), mechanisms({1})};
-    EXPECT_TRUE(says(box(f), "90 % that one of these is at least part"));
+    EXPECT_TRUE(contains(box(f), "90 % that one of these is at least part"));
     f.verdict.alternatives.clear();
     f.verdict.kind = verdictKind::sensor;
     f.verdict.names = {"P1"};
@@ -147,23 +147,23 @@ TEST(misfitReport, theConfidenceSaysOfWhat)
     f.explained.all().front().fit.x = vec::Constant(1, 0.2);
     f.explained.all().front().fit.pinned = {false};
     f.explained.all().front().fit.covariance = mat::Zero(1, 1);
-    EXPECT_TRUE(says(box(f), "P1 reads 20 % too high"));
-    EXPECT_TRUE(says(box(f), "90 % that the fault is at P1"));
-    EXPECT_FALSE(says(box(f), "in all of which it was the clock"));
+    EXPECT_TRUE(contains(box(f), "P1 reads 20 % too high"));
+    EXPECT_TRUE(contains(box(f), "90 % that the fault is at P1"));
+    EXPECT_FALSE(contains(box(f), "in all of which it was the clock"));
     f.verdict.kind = verdictKind::registration;
-    EXPECT_TRUE(says(box(f), "in all of which it was the clock"));
+    EXPECT_TRUE(contains(box(f), "in all of which it was the clock"));
     f.verdict.names.clear();
     f.verdict.kind = verdictKind::unknown;
-    EXPECT_TRUE(says(box(f), "90 % that no candidate and no fault of one sensor"));
+    EXPECT_TRUE(contains(box(f), "90 % that no candidate and no fault of one sensor"));
     f.verdict.kind = verdictKind::none;
-    EXPECT_TRUE(says(box(f), "90 % that nothing missing and no fault is needed"));
+    EXPECT_TRUE(contains(box(f), "90 % that nothing missing and no fault is needed"));
 }
 
 
 TEST(misfitReport, theTopSaysWhatWasNotScored)
 {
     finding f(found());
-    EXPECT_FALSE(says(box(f), "Not scored"));
+    EXPECT_FALSE(contains(box(f), "Not scored"));
 
     f.candidates.dropped =
     {
@@ -196,18 +196,18 @@ TEST(misfitReport, aGateThatCouldNotBeAskedIsToldFromOneWithNothingToAsk)
     f.tests.gates.add(notApplicable(gateKind::adequacy));
     f.tests.gates.add(notApplicable(gateKind::stability));
     const std::string known(reportHtml(f, today(), {}));
-    EXPECT_TRUE(says(known, "nothing to test"));
-    EXPECT_FALSE(says(known, "not tested"));
+    EXPECT_TRUE(contains(known, "nothing to test"));
+    EXPECT_FALSE(contains(known, "not tested"));
 
     judged(f).unknown = true;
     const std::string partly(reportHtml(f, today(), {}));
-    EXPECT_TRUE(says(partly, "not tested: the answer has something unknown"));
-    EXPECT_TRUE(says(partly, "nothing to test"));
+    EXPECT_TRUE(contains(partly, "not tested: the answer has something unknown"));
+    EXPECT_TRUE(contains(partly, "nothing to test"));
 
     judged(f).mechanisms.clear();
     const std::string unknown(reportHtml(f, today(), {}));
-    EXPECT_TRUE(says(unknown, "not tested: the answer has no known cause"));
-    EXPECT_FALSE(says(unknown, "nothing to test"));
+    EXPECT_TRUE(contains(unknown, "not tested: the answer has no known cause"));
+    EXPECT_FALSE(contains(unknown, "nothing to test"));
 }
 
 
@@ -224,8 +224,8 @@ TEST(misfitReport, noNumberIsTooLargeToRead)
     f.correction.isRequested = true;
     f.correction.held = f.tests.held;
     const std::string page(reportHtml(f, today(), {}));
-    EXPECT_FALSE(says(page, "e+"));
-    EXPECT_TRUE(says(page, "more than 100000"));
+    EXPECT_FALSE(contains(page, "e+"));
+    EXPECT_TRUE(contains(page, "more than 100000"));
 
     // In sentences too
     f.tests.held[0].use = purpose::validation;
@@ -237,7 +237,7 @@ TEST(misfitReport, noNumberIsTooLargeToRead)
     expectLacks(describe(droppedCandidate{"a", droppedCandidate::reason::small, "", 0.1, 1e20}), "e+");
     gate wide(gateKind::evidence, 12345, 10);
     expectHolds(gateWords(wide, f).dump(), "12300");
-    EXPECT_TRUE(says(page, "less than -1000 %"));
+    EXPECT_TRUE(contains(page, "less than -1000 %"));
 
     // Of a channel that shows nothing the range is nought
     stacked data(f.detection.data);
@@ -245,7 +245,7 @@ TEST(misfitReport, noNumberIsTooLargeToRead)
     const place p{{0, 5, 9, 12}, 700};
     EXPECT_TRUE
     (
-        says(describe(p, data), "the simulation is more than 1000 % of the range")
+        contains(describe(p, data), "the simulation is more than 1000 % of the range")
     );
 }
 
@@ -283,8 +283,8 @@ TEST(misfitReport, aShareThatRoundsToNoughtHasNoSign)
     f.correction.isRequested = true;
     f.correction.held = f.tests.held;
     const std::string page(reportHtml(f, today(), {}));
-    EXPECT_TRUE(says(page, ">0 %<"));
-    EXPECT_FALSE(says(page, "-0 %"));
+    EXPECT_TRUE(contains(page, ">0 %<"));
+    EXPECT_FALSE(contains(page, "-0 %"));
 }
 
 
@@ -301,6 +301,6 @@ TEST(misfitReport, itsWordsAreExplained)
         }
     )
     {
-        EXPECT_TRUE(says(words, word)) << word;
+        EXPECT_TRUE(contains(words, word)) << word;
     }
 }

@@ -32,7 +32,7 @@ std::string complaint
 }
 
 
-::testing::AssertionResult says(const std::string& text, const char* words)
+::testing::AssertionResult contains(const std::string& text, const char* words)
 {
     return text.find(words) != std::string::npos
       ? ::testing::AssertionSuccess()
@@ -47,15 +47,15 @@ TEST(packing, saysWhatIsWrong)
     const std::string box = "type dense; box (0 0 0) (0.3 0.3 0.3); ";
     const std::string grain = "diameter 0.03; ";
 
-    EXPECT_TRUE(says(complaint("type heap; " + grain), "dense"));
-    EXPECT_TRUE(says(complaint("type heap; " + grain), "settled"));
+    EXPECT_TRUE(contains(complaint("type heap; " + grain), "dense"));
+    EXPECT_TRUE(contains(complaint("type heap; " + grain), "settled"));
     EXPECT_TRUE
     (
-        says(complaint(box + grain + "solidFraction 0.7;"), "out of range")
+        contains(complaint(box + grain + "solidFraction 0.7;"), "out of range")
     );
     EXPECT_TRUE
     (
-        says(complaint(box + "diameter 0.4; solidFraction 0.5;"), "too small")
+        contains(complaint(box + "diameter 0.4; solidFraction 0.5;"), "too small")
     );
     EXPECT_TRUE
     (
@@ -81,7 +81,7 @@ TEST(packing, saysWhatIsWrong)
             "in metres"
         )
     );
-    EXPECT_TRUE(says(complaint(box + grain), "Too little"));
+    EXPECT_TRUE(contains(complaint(box + grain), "Too little"));
     EXPECT_TRUE
     (
         says
@@ -143,7 +143,7 @@ TEST(packing, namesTheLargestSolidFractionWhereWallsAreTooNear)
         "type dense; box (0 0 0) (0.05 0.05 0.5); diameter 0.03;"
         " solidFraction 0.6;"
     );
-    EXPECT_TRUE(says(text, "largest one reached"));
+    EXPECT_TRUE(contains(text, "largest one reached"));
 }
 
 

@@ -6,7 +6,7 @@
 Foam::scalar Foam::warnOfLargeGrains
 (
     const grainExchange& exchange,
-    const scalar warnedOf
+    const scalar largestWarned
 )
 {
     scalar largest = 0;
@@ -18,9 +18,9 @@ Foam::scalar Foam::warnOfLargeGrains
 
     const scalar cell = cbrt(gMin(exchange.mesh().V()));
 
-    if (largest <= max(cell, warnedOf))
+    if (largest <= max(cell, largestWarned))
     {
-        return warnedOf;
+        return largestWarned;
     }
 
     WarningInFunction

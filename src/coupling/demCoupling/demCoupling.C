@@ -20,7 +20,7 @@ Foam::demCoupling::demCoupling
 :
     mesh_(mesh),
     nEntered_(0),
-    warnedOf_(0)
+    largestWarned_(0)
 {
     // On written data grains are read where they are looked at
     if (functionObject::postProcess)
@@ -85,7 +85,7 @@ Foam::demCoupling::demCoupling
     {
         checkGrainsInWalls(*phase_, *exchange_);
     }
-    warnedOf_ = warnOfLargeGrains(*exchange_, warnedOf_);
+    largestWarned_ = warnOfLargeGrains(*exchange_, largestWarned_);
     makeWaterAtExchange(water);
     findVoidFraction();
     solidBefore_ = solidAfter_;
@@ -99,7 +99,7 @@ Foam::demCoupling::demCoupling(const fvMesh& mesh, const vector& g)
     exchange_(new grainExchange(mesh)),
     clock_(new exchangeClock(*phase_)),
     nEntered_(0),
-    warnedOf_(0)
+    largestWarned_(0)
 {
     locateGrains();
     checkGrainsInside(*phase_, *exchange_);
@@ -270,7 +270,7 @@ void Foam::demCoupling::locateGrains()
     if (forces_ && phase_->nEntered() > nEntered_)
     {
         nEntered_ = phase_->nEntered();
-        warnedOf_ = warnOfLargeGrains(*exchange_, warnedOf_);
+        largestWarned_ = warnOfLargeGrains(*exchange_, largestWarned_);
     }
 }
 

@@ -24,7 +24,7 @@ Foam::permeableWallFvPatchVectorField::permeableWallFvPatchVectorField
     conductance_(0),
     outside_(0),
     strength_(1),
-    looked_(-1)
+    lastUpdate_(-1)
 {}
 
 
@@ -39,7 +39,7 @@ Foam::permeableWallFvPatchVectorField::permeableWallFvPatchVectorField
     conductance_(dict.get<scalar>("conductance")),
     outside_(dict.lookupOrDefault<scalar>("outside", 0)),
     strength_(dict.lookupOrDefault<scalar>("strength", 1)),
-    looked_(-1)
+    lastUpdate_(-1)
 {
     keywords::check
     (
@@ -75,7 +75,7 @@ Foam::permeableWallFvPatchVectorField::permeableWallFvPatchVectorField
     conductance_(other.conductance_),
     outside_(other.outside_),
     strength_(other.strength_),
-    looked_(other.looked_)
+    lastUpdate_(other.lastUpdate_)
 {}
 
 
@@ -89,7 +89,7 @@ Foam::permeableWallFvPatchVectorField::permeableWallFvPatchVectorField
     conductance_(other.conductance_),
     outside_(other.outside_),
     strength_(other.strength_),
-    looked_(other.looked_)
+    lastUpdate_(other.lastUpdate_)
 {}
 
 
@@ -128,9 +128,9 @@ void Foam::permeableWallFvPatchVectorField::updateCoeffs()
 
     // The fields are made one after the other: at first there is no pressure
     const label now = db().time().timeIndex();
-    if (looked_ != now && db().foundObject<volScalarField>("p"))
+    if (lastUpdate_ != now && db().foundObject<volScalarField>("p"))
     {
-        looked_ = now;
+        lastUpdate_ = now;
         follow(patch().lookupPatchField<volScalarField, scalar>("p"));
     }
 

@@ -135,15 +135,15 @@ void Foam::functionObjects::displacedGrains::writeOrigins()
 }
 
 
-bool Foam::functionObjects::displacedGrains::goesOn()
+bool Foam::functionObjects::displacedGrains::isContinuation()
 {
     // Later on there may be the origins of another run of this case, which began with
     // grains before this one; postProcess begins with times that have none
-    if (asked_ && !functionObject::postProcess)
+    if (continuationChecked_ && !functionObject::postProcess)
     {
         return false;
     }
-    asked_ = true;
+    continuationChecked_ = true;
 
     // Origins of now or later are those of an earlier run of this case
     if (origins_.read(originsFile()) && origins_.time < now() - SMALL)
@@ -193,7 +193,7 @@ bool Foam::functionObjects::displacedGrains::sample()
     const labelList chosen(ofTypes(grains(), types_));
 
     // Also where all have left that the run before began with
-    const bool begun = origins_.time < GREAT || goesOn();
+    const bool begun = origins_.time < GREAT || isContinuation();
     if (!begun && returnReduce(chosen.size(), sumOp<label>()))
     {
         begin(chosen);

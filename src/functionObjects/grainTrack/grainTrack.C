@@ -52,7 +52,7 @@ Foam::functionObjects::grainTrack::grainTrack
     {
         restore("ids", ids_);
     }
-    restore("looked", looked_);
+    restore("looked", idsReported_);
     if (writes())
     {
         writeHeaders();
@@ -169,10 +169,10 @@ bool Foam::functionObjects::grainTrack::sample()
 }
 
 
-void Foam::functionObjects::grainTrack::tell(const string& unknown)
+void Foam::functionObjects::grainTrack::reportUnknown(const string& unknown)
 {
     // Grains that were found by points exist
-    if (looked_ || points_.size())
+    if (idsReported_ || points_.size())
     {
         return;
     }
@@ -181,8 +181,8 @@ void Foam::functionObjects::grainTrack::tell(const string& unknown)
     const label n = returnReduce(ids.size(), sumOp<label>());
     if (n)
     {
-        looked_ = true;
-        setProperty("looked", looked_);
+        idsReported_ = true;
+        setProperty("looked", idsReported_);
     }
 
     if (n && unknown.size())
@@ -240,7 +240,7 @@ void Foam::functionObjects::grainTrack::report()
             unknown += " " + Foam::name(ids_[k]);
         }
     }
-    tell(unknown);
+    reportUnknown(unknown);
 
     if (writes())
     {

@@ -79,7 +79,7 @@ bool Foam::functionObjects::massBalance::read(const dictionary& dict)
 }
 
 
-bool Foam::functionObjects::massBalance::goOn()
+bool Foam::functionObjects::massBalance::restoreStart()
 {
     label entered = 0;
     label left = 0;
@@ -114,7 +114,7 @@ void Foam::functionObjects::massBalance::begin()
     enteredBefore_ = -label(count[2]);
     leftBefore_ = -label(count[3]);
 
-    if (goOn())
+    if (restoreStart())
     {
         // As results were written LIGGGHTS took out what was beyond a side
         label written = label(count[0]);
@@ -206,7 +206,7 @@ bool Foam::functionObjects::massBalance::sample()
         enteredBefore_ = 0;
         leftBefore_ = 0;
 
-        if (goOn())
+        if (restoreStart())
         {
             begun_ = true;
         }

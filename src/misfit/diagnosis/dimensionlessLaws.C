@@ -18,7 +18,7 @@ const wordList pushGroups({"", "Fr", "Re", "voidFraction"});
 
 
 //- True if it is nonzero, or, beside a constant, if it varies
-bool tells(const vec& column, const bool beside)
+bool isInformative(const vec& column, const bool beside)
 {
     const scalar size = column.cwiseAbs().maxCoeff();
     const scalar spread = column.maxCoeff() - column.minCoeff();
@@ -119,7 +119,7 @@ struct groupFunctions
         labelList list;
         for (label f = drag; f < groups.size() && own.size(); ++f)
         {
-            if (tells(values.col(f)(own), drag))
+            if (isInformative(values.col(f)(own), drag))
             {
                 list.append(f);
             }

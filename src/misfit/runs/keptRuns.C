@@ -265,7 +265,7 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::keptRuns::predictions
     stringList stopped;
     for (label first = 0; first < end; first += batch)
     {
-        tell(runs, timer.elapsedTime()/max(first, label(1)), first ? end - first : 0);
+        printPlan(runs, timer.elapsedTime()/max(first, label(1)), first ? end - first : 0);
         const labelList some(SubList<label>(todo, min(batch, end - first), first));
         const List<runState> missing(UIndirectList<runState>(states, some));
         const List<prediction> more(solver.predict(missing));
@@ -283,6 +283,6 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::keptRuns::predictions
         writeWhole(file, text);
     }
     checkStopped(stopped);
-    tell(runs, 0, 0);
+    printPlan(runs, 0, 0);
     return predictionsIn(runs);
 }

@@ -250,7 +250,7 @@ void Foam::materialPointsPhase::readState(const fileName& path)
             << "    Go on from the time before it." << exit(FatalError);
     }
 
-    method_.goOn(sinceSorted);
+    method_.restoreSorting(sinceSorted);
 }
 
 
