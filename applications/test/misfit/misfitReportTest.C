@@ -83,7 +83,7 @@ TEST(misfitReport, theTopSaysWhichCaseWhenAndWhatWasRecorded)
     EXPECT_TRUE(contains(page, "2026 May 03"));
     EXPECT_TRUE
     (
-        says
+        contains
         (
             page,
             "<td>A</td><td>P1, P2</td><td>P3</td><td></td><td>surge.csv</td>"
@@ -96,7 +96,7 @@ TEST(misfitReport, aCandidateIsToldByItsTitleAndWhatItSets)
 {
     EXPECT_TRUE
     (
-        says
+        contains
         (
             reportHtml(found(), today(), {}),
             "<td>porePressure</td><td>water that cannot leave at once</td>"
@@ -123,7 +123,7 @@ TEST(misfitReport, theConfidenceSaysOfWhat)
     finding f(found());
     EXPECT_TRUE
     (
-        says
+        contains
         (
             box(f),
             "Confidence 90 % that this is at least part of what is missing, the"
@@ -175,7 +175,7 @@ TEST(misfitReport, theTopSaysWhatWasNotScored)
     };
     EXPECT_TRUE
     (
-        says
+        contains
         (
             box(f),
             "Not scored: lift (the solver failed with it), gate (the recording"

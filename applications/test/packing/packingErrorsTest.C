@@ -59,7 +59,7 @@ TEST(packing, saysWhatIsWrong)
     );
     EXPECT_TRUE
     (
-        says
+        contains
         (
             complaint
             (
@@ -71,7 +71,7 @@ TEST(packing, saysWhatIsWrong)
     );
     EXPECT_TRUE
     (
-        says
+        contains
         (
             complaint
             (
@@ -84,7 +84,7 @@ TEST(packing, saysWhatIsWrong)
     EXPECT_TRUE(contains(complaint(box + grain), "Too little"));
     EXPECT_TRUE
     (
-        says
+        contains
         (
             complaint(box + grain + "solidFraction 0.5; periodc (y);"),
             "Unknown keyword periodc"
@@ -92,7 +92,7 @@ TEST(packing, saysWhatIsWrong)
     );
     EXPECT_TRUE
     (
-        says
+        contains
         (
             complaint
             (
@@ -106,7 +106,7 @@ TEST(packing, saysWhatIsWrong)
     );
     EXPECT_TRUE
     (
-        says
+        contains
         (
             complaint
             (
@@ -119,7 +119,7 @@ TEST(packing, saysWhatIsWrong)
     );
     EXPECT_TRUE
     (
-        says
+        contains
         (
             complaint(box + grain + "solidFraction 0.5; periodic (w);"),
             "x, y and z"
@@ -127,7 +127,7 @@ TEST(packing, saysWhatIsWrong)
     );
     EXPECT_TRUE
     (
-        says
+        contains
         (
             complaint(box + "diameters ((0.03 0.5) (0.02 0.4)); "),
             "sum to 1"
@@ -151,7 +151,7 @@ TEST(packing, aBedNeedsGravityTowardsItsFloor)
 {
     EXPECT_TRUE
     (
-        says
+        contains
         (
             complaint
             (

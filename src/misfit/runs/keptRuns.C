@@ -214,7 +214,7 @@ Foam::misfit::keptRuns::table Foam::misfit::keptRuns::read() const
 }
 
 
-void Foam::misfit::keptRuns::tell
+void Foam::misfit::keptRuns::printPlan
 (
     const table& runs,
     const scalar each,
