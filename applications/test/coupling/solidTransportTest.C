@@ -87,10 +87,8 @@ public:
     }
 };
 
-} // End anonymous namespace
 
-
-TEST(solidTransport, movesTheVoidFractionAsFastAsTheGrains)
+void expectSpeedOfGrains()
 {
     movingGrains grains(slices());
     const scalarField rate(grains.rate());
@@ -99,6 +97,20 @@ TEST(solidTransport, movesTheVoidFractionAsFastAsTheGrains)
     testNumber("speed of the solid fraction over that of the grains", speed/velocity.x());
     EXPECT_LT(mag(gSum(rate)), 1e-12*gSum(mag(rate)));
     EXPECT_NEAR(speed, velocity.x(), 0.01*velocity.x());
+}
+
+} // End anonymous namespace
+
+
+TEST(solidTransport, movesTheVoidFractionAsFastAsTheGrains)
+{
+    expectSpeedOfGrains();
+}
+
+
+TEST(ParallelSolidTransport, movesTheVoidFractionAsFastAsTheGrains)
+{
+    expectSpeedOfGrains();
 }
 
 
