@@ -44,19 +44,21 @@ Foam::scalar Foam::pointsAsGrains::coarseGraining
     {
         const dictionary& body =
             dict.subDict("bodies").subDict(method.bodies()[i]);
-        if (!body.found("grainDiameter"))
+        const word key =
+            body.found("poreDiameter") ? "poreDiameter" : "grainDiameter";
+        if (!body.found(key))
         {
             continue;
         }
 
-        const scalar grain = body.get<scalar>("grainDiameter");
+        const scalar grain = body.get<scalar>(key);
         const scalar point =
             cbrt(6/M_PI*volume*body.get<scalar>("density")/density_[i]);
 
         if (!(grain > 0))
         {
             FatalIOErrorInFunction(body)
-                << "grainDiameter is " << grain << " m; it must be above zero."
+                << key << " is " << grain << " m; it must be above zero."
                 << exit(FatalIOError);
         }
         if (ratio > 0 && mag(point/grain - ratio) > 1e-3*ratio)
@@ -65,16 +67,16 @@ Foam::scalar Foam::pointsAsGrains::coarseGraining
                 << "A point stands for grains of " << grain << " m, "
                 << point/grain << " times as large as they are, and in another"
                 << " body " << ratio << " times: all bodies have one ratio."
-                << nl << "    Give each a grainDiameter of "
+                << nl << "    Give each a " << key << " of "
                 << point/ratio << " m."
                 << exit(FatalIOError);
         }
         if (given)
         {
             FatalIOErrorInFunction(body)
-                << "coarseGraining follows from grainDiameter: "
+                << "coarseGraining follows from " << key << ": "
                 << point/grain << "." << nl
-                << "    Remove coarseGraining, or grainDiameter."
+                << "    Remove coarseGraining, or " << key << "."
                 << exit(FatalIOError);
         }
         ratio = point/grain;

@@ -21,7 +21,10 @@ const Foam::dictionary& Foam::constitutiveLaw::checked
 {
     wordList all
     (
-        {"law", "density", "E", "nu", "solidDensity", "grainDiameter"}
+        {
+            "law", "density", "E", "nu", "solidDensity", "grainDiameter",
+            "poreDiameter"
+        }
     );
     all.append(lawKeys);
     keywords::check(dict, all);
