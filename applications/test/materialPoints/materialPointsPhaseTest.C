@@ -45,6 +45,13 @@ TEST(materialPointsPhase, aGrainDiameterIsTheCoarseGraining)
 
     auto phase = withGrains("grainDiameter 0.001;", "", "");
     EXPECT_NEAR(phase->coarseGraining(), 2*phase->radius()[0]/0.001, 1e-9);
+    EXPECT_NEAR
+    (
+        withGrains("grainDiameter 0.002; poreDiameter 0.001;", "", "")
+       ->coarseGraining(),
+        phase->coarseGraining(),
+        1e-9
+    );
     EXPECT_EQ(points(box.mesh())->coarseGraining(), 1);
 
     const std::string none

@@ -11,6 +11,70 @@
 #include "keywords.H"
 #include "resultsVersion.H"
 
+void Foam::demCoupling::makeTransport(const granularProperties& dict)
+{
+    relaxationTime_ = dict.relaxationTime();
+    if (relaxationTime_ > 0 && relaxationTime_ < clock_->interval())
+    {
+        FatalIOErrorInFunction(dict)
+            << "exchange/relaxationTime is " << relaxationTime_
+            << " s, below the exchange interval, " << clock_->interval()
+            << " s." << nl << "    Give a longer one, or 0 for the interval."
+            << exit(FatalIOError);
+    }
+    if (relaxationTime_ > 0)
+    {
+        transport_.reset(new solidTransport(mesh_, *phase_));
+    }
+}
+
+
+void Foam::demCoupling::makeForces
+(
+    const granularProperties& dict,
+    const hydrostatics& hydrostatic
+)
+{
+    dict.checkSmoothing(*phase_);
+    solids_.reset
+    (
+        new solidFractionField(*exchange_, keywords::sub(dict, "voidFraction"))
+    );
+    forces_.reset
+    (
+        new interphaseForces
+        (
+            *exchange_,
+            *solids_,
+            keywords::sub(dict, "interphaseForces"),
+            hydrostatic,
+            phase_->coarseGraining()
+        )
+    );
+
+    if (phase_->hasClumps() && forces_->lubricates())
+    {
+        FatalIOErrorInFunction(dict)
+            << "There are clumps of spheres, and interphaseForces/lubrication is on:"
+            << " spheres that overlap would each have a film of their own." << nl
+            << "    Take lubrication out." << exit(FatalIOError);
+    }
+}
+
+
+void Foam::demCoupling::locateFirst()
+{
+    locateGrains();
+    checkGrainsInside(*phase_, *exchange_);
+
+    // In a surge soft grains dent deeper than a packing may
+    if (!phase_->restarted() && phase_->hasContactRadius())
+    {
+        checkGrainsInWalls(*phase_, *exchange_);
+    }
+}
+
+
 Foam::demCoupling::demCoupling
 (
     const fvMesh& mesh,
@@ -39,52 +103,11 @@ Foam::demCoupling::demCoupling
 
     phase_ = dict.makePhase(mesh, hydrostatic.g());
     clock_.reset(new exchangeClock(*phase_));
-    relaxationTime_ = dict.relaxationTime();
-    if (relaxationTime_ > 0 && relaxationTime_ < clock_->interval())
-    {
-        FatalIOErrorInFunction(dict)
-            << "exchange/relaxationTime is " << relaxationTime_
-            << " s, below the exchange interval, " << clock_->interval()
-            << " s." << nl << "    Give a longer one, or 0 for the interval."
-            << exit(FatalIOError);
-    }
-    if (relaxationTime_ > 0)
-    {
-        transport_.reset(new solidTransport(mesh_, *phase_));
-    }
-    dict.checkSmoothing(*phase_);
     exchange_.reset(new grainExchange(mesh));
-    solids_.reset
-    (
-        new solidFractionField(*exchange_, keywords::sub(dict, "voidFraction"))
-    );
-    forces_.reset
-    (
-        new interphaseForces
-        (
-            *exchange_,
-            *solids_,
-            keywords::sub(dict, "interphaseForces"),
-            hydrostatic,
-            phase_->coarseGraining()
-        )
-    );
+    makeTransport(dict);
+    makeForces(dict, hydrostatic);
 
-    if (phase_->hasClumps() && forces_->lubricates())
-    {
-        FatalIOErrorInFunction(dict)
-            << "There are clumps of spheres, and interphaseForces/lubrication is on:"
-            << " spheres that overlap would each have a film of their own." << nl
-            << "    Take lubrication out." << exit(FatalIOError);
-    }
-
-    locateGrains();
-    checkGrainsInside(*phase_, *exchange_);
-    // In a surge soft grains dent deeper than a packing may
-    if (!phase_->restarted() && phase_->hasContactRadius())
-    {
-        checkGrainsInWalls(*phase_, *exchange_);
-    }
+    locateFirst();
     largestWarned_ = warnOfLargeGrains(*exchange_, largestWarned_);
     makeWaterAtExchange(water);
     findVoidFraction();
@@ -101,12 +124,7 @@ Foam::demCoupling::demCoupling(const fvMesh& mesh, const vector& g)
     nEntered_(0),
     largestWarned_(0)
 {
-    locateGrains();
-    checkGrainsInside(*phase_, *exchange_);
-    if (!phase_->restarted() && phase_->hasContactRadius())
-    {
-        checkGrainsInWalls(*phase_, *exchange_);
-    }
+    locateFirst();
 }
 
 

@@ -71,36 +71,3 @@ void Foam::demCoupling::findVoidFraction()
         transport_->update(*exchange_, solids_->mapping());
     }
 }
-
-
-Foam::tmp<Foam::volScalarField::Internal>
-Foam::demCoupling::voidFractionRate
-(
-    const volScalarField& voidFraction,
-    const slidingGate& gate,
-    const scalar dt
-)
-{
-    const scalar interval = clock_->interval();
-    const scalar done = min((clock_->elapsed() + dt)/interval, scalar(1));
-    const scalarField target
-    (
-        1 - ((1 - done)*solidBefore_ + done*solidAfter_)
-    );
-
-    // Within a fluid step the flux would jump where their number in an interval
-    // changes, and the pressure with it
-    auto rate = tmp<volScalarField::Internal>::New
-    (
-        IOobject("voidFractionRate", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimless/dimTime,
-        (target - voidFraction.primitiveField())/relaxationTime()
-    );
-    if (transport_)
-    {
-        lag_ = gMax(mag(target - voidFraction.primitiveField()));
-        rate.ref().field() += transport_->voidFractionRate(voidFraction, gate);
-    }
-    return rate;
-}
