@@ -7,6 +7,26 @@
 #include "foamCompatibility.H"
 #include "granularPhase.H"
 
+namespace
+{
+    using namespace Foam;
+
+    //- Those of the list that are not placed
+    DynamicList<label> without(const UList<label>& all, const labelHashSet& placed)
+    {
+        DynamicList<label> left;
+        for (const label i : all)
+        {
+            if (!placed.found(i))
+            {
+                left.append(i);
+            }
+        }
+        return left;
+    }
+}
+
+
 Foam::grainExchange::grainExchange(const fvMesh& mesh)
 :
     mesh_(mesh),
@@ -111,7 +131,7 @@ Foam::label Foam::grainExchange::cellOf(const point& p, const search how) const
 }
 
 
-void Foam::grainExchange::findElsewhere
+void Foam::grainExchange::searchOtherRanks
 (
     const granularPhase& phase,
     DynamicList<label>& strangers,
@@ -170,14 +190,7 @@ void Foam::grainExchange::findElsewhere
         }
     }
 
-    DynamicList<label> left;
-    for (const label i : strangers)
-    {
-        if (!placed.found(i))
-        {
-            left.append(i);
-        }
-    }
+    DynamicList<label> left(without(strangers, placed));
     strangers.transfer(left);
 }
 
@@ -276,7 +289,7 @@ Foam::labelList Foam::grainExchange::locate
     {
         if (nOutside_)
         {
-            findElsewhere(phase, strangers, how);
+            searchOtherRanks(phase, strangers, how);
             nOutside_ = returnReduce(strangers.size(), sumOp<label>());
         }
     }

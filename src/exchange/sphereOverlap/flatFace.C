@@ -159,10 +159,79 @@ namespace
               : sum_ + between(firstEdge_, entry_, nEdges);
         }
     };
+
+
+    //- What the edges of a face add up to for a sphere: their part of the solid angle
+    //  times r, of the cones below the face [m3], and the arcs between them
+    struct edgeSums
+    {
+        arcsInside arcs;
+        scalar angles = 0;
+        scalar cones = 0;
+        bool met = false;
+
+        explicit edgeSums(const vector& normal)
+        :
+            arcs(normal)
+        {}
+
+        //- Add edge i of n from a to b, whose line meets the sphere. The face is at
+        //  height h above the origin, on the side of sign
+        void add
+        (
+            const point& a,
+            const point& b,
+            const label i,
+            const label n,
+            const vector& normal,
+            const scalar sign,
+            const scalar h,
+            const scalar radius
+        )
+        {
+            const edgeView e(view(a, b));
+            const vector outward(e.along ^ normal);
+            const scalar d = outward & e.foot;
+            const scalar rho2 = magSqr(e.foot);
+
+            const scalar half = Foam::sqrt(max(sqr(radius) - rho2, scalar(0)));
+            const scalar from = max(e.from, -half);
+            const scalar to = min(e.to, half);
+
+            if (from >= to)
+            {
+                return;
+            }
+            met = true;
+
+            const scalar above = sign*(normal & e.foot);
+            cones += h*d*(to - from)/6;
+
+            if (from == -half && to == half)
+            {
+                angles += 2*angle(d, above, radius, half);
+            }
+            else
+            {
+                angles +=
+                    angle(d, above, Foam::sqrt(rho2 + sqr(to)), to)
+                  - angle(d, above, Foam::sqrt(rho2 + sqr(from)), from);
+            }
+
+            if (e.from < -half)
+            {
+                arcs.enter(i, d*outward - half*e.along, n);
+            }
+            if (e.to > half)
+            {
+                arcs.leave(i, d, half, d*outward + half*e.along);
+            }
+        }
+    };
 }
 
 
-Foam::scalar Foam::flatFace::cutOff
+Foam::scalar Foam::flatFace::volumeBehind
 (
     const UList<point>& corners,
     const vector& normal,
@@ -181,10 +250,7 @@ Foam::scalar Foam::flatFace::cutOff
     const label n = corners.size();
     const scalar r2 = sqr(radius);
 
-    arcsInside arcs(normal);
-    scalar angles = 0;
-    scalar cones = 0;
-    bool met = false;
+    edgeSums sums(normal);
     bool within = true;
 
     for (label i = 0; i < n; ++i)
@@ -207,58 +273,20 @@ Foam::scalar Foam::flatFace::cutOff
             within = false;
         }
 
-        if (magSqr(moment) >= r2*length2)
+        if (magSqr(moment) < r2*length2)
         {
-            continue;
-        }
-
-        const edgeView e(view(a, b));
-        const vector outward(e.along ^ normal);
-        const scalar d = outward & e.foot;
-        const scalar rho2 = magSqr(e.foot);
-
-        const scalar half = Foam::sqrt(max(r2 - rho2, scalar(0)));
-        const scalar from = max(e.from, -half);
-        const scalar to = min(e.to, half);
-
-        if (from >= to)
-        {
-            continue;
-        }
-        met = true;
-
-        const scalar above = sign*(normal & e.foot);
-        cones += h*d*(to - from)/6;
-
-        if (from == -half && to == half)
-        {
-            angles += 2*angle(d, above, radius, half);
-        }
-        else
-        {
-            angles +=
-                angle(d, above, Foam::sqrt(rho2 + sqr(to)), to)
-              - angle(d, above, Foam::sqrt(rho2 + sqr(from)), from);
-        }
-
-        if (e.from < -half)
-        {
-            arcs.enter(i, d*outward - half*e.along, n);
-        }
-        if (e.to > half)
-        {
-            arcs.leave(i, d, half, d*outward + half*e.along);
+            sums.add(a, b, i, n, normal, sign, h, radius);
         }
     }
 
-    const scalar arc = met ? arcs.close(n) : within ? twoPi : 0;
+    const scalar arc = sums.met ? sums.arcs.close(n) : within ? twoPi : 0;
 
     return
         sign
        *(
-            pow3(radius)/3*(angles + arc*(1 - h/radius))
+            pow3(radius)/3*(sums.angles + arc*(1 - h/radius))
           - arc*h*(r2 - sqr(h))/6
-          - cones
+          - sums.cones
         );
 }
 

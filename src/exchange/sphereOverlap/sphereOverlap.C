@@ -251,7 +251,7 @@ Foam::scalar Foam::sphereOverlap::sumOverParts
 }
 
 
-Foam::scalar Foam::sphereOverlap::cutOff
+Foam::scalar Foam::sphereOverlap::volumeBehind
 (
     const label face,
     const vector& normal,
@@ -267,7 +267,7 @@ Foam::scalar Foam::sphereOverlap::cutOff
         10*radius,
         [radius](const UList<point>& corners, const vector& normal)
         {
-            return flatFace::cutOff(corners, normal, radius);
+            return flatFace::volumeBehind(corners, normal, radius);
         }
     );
 }
@@ -358,8 +358,8 @@ void Foam::sphereOverlap::flood
             const point p(centre + aside_);
             const scalar out =
                 s.face >= 0
-              ? cutOff(s.face, s.normal, p, radius)
-              : -cutOff(-1 - s.face, -s.normal, p, radius);
+              ? volumeBehind(s.face, s.normal, p, radius)
+              : -volumeBehind(-1 - s.face, -s.normal, p, radius);
 
             if (mag(out) < least)
             {

@@ -221,6 +221,23 @@ Foam::List<Foam::List<Foam::givenByGrain>> Foam::grainForces::prepare
 }
 
 
+void Foam::grainForces::addGiven
+(
+    List<List<givenByGrain>>& sums,
+    const label i,
+    const fluidAtGrain& fluid,
+    const vector& U
+) const
+{
+    givenByGrain gives;
+    gives.drag = drag_[i];
+    gives.virtualMass = virtualMass_[i];
+    gives.pressureByDrag = pressure_[i];
+    gives.explicitForce = explicit_[i]/fluid.rhoOfMomentum + drag_[i]*U;
+    mapping_.weights().add(sums[mapping_.sizeClass(i)], i, gives);
+}
+
+
 Foam::List<Foam::List<Foam::givenByGrain>> Foam::grainForces::coefficients
 (
     const fluidFields& fluid,
@@ -238,12 +255,11 @@ Foam::List<Foam::List<Foam::givenByGrain>> Foam::grainForces::coefficients
     (
         mapping_, laws_, fluid.rho, fluid.convection, fluid.viscousForce
     );
-    const cellWeights& weights = mapping_.weights();
     const label n = exchange_.grains().size();
     List<List<givenByGrain>> sums
     (
         mapping_.nSizeClasses(),
-        weights.noSums<givenByGrain>()
+        mapping_.weights().noSums<givenByGrain>()
     );
 
     // The data of a block of grains stays in the nearest cache
@@ -259,7 +275,6 @@ Foam::List<Foam::List<Foam::givenByGrain>> Foam::grainForces::coefficients
         forAll(states, k)
         {
             const label i = first + k;
-
             fluids[k] = mapping_.mean(around, i);
             states[k] =
                 stateOf(i, fluids[k], dSauter.size() ? dSauter[i] : 1);
@@ -271,7 +286,6 @@ Foam::List<Foam::List<Foam::givenByGrain>> Foam::grainForces::coefficients
         forAll(states, k)
         {
             const label i = first + k;
-
             setForce
             (
                 i,
@@ -282,20 +296,13 @@ Foam::List<Foam::List<Foam::givenByGrain>> Foam::grainForces::coefficients
                 lift[k],
                 interval
             );
-            givenByGrain gives;
-            gives.drag = drag_[i];
-            gives.virtualMass = virtualMass_[i];
-            gives.pressureByDrag = pressure_[i];
-            gives.explicitForce =
-                explicit_[i]/fluids[k].rhoOfMomentum
-              + drag_[i]*(states[k].slip + meanVelocity_[i]);
-            weights.add(sums[mapping_.sizeClass(i)], i, gives);
+            addGiven(sums, i, fluids[k], states[k].slip + meanVelocity_[i]);
         }
     }
 
     for (List<givenByGrain>& cells : sums)
     {
-        weights.sumOnOwners(cells);
+        mapping_.weights().sumOnOwners(cells);
     }
     return sums;
 }

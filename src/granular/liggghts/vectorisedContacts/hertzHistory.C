@@ -14,6 +14,113 @@ namespace
     constexpr double dashpot = 2*0.91287092917527685576161630466800355658790782;
 
 
+    //- Tangential force of a contact with a normal force Fn, for a stretch of its
+    //  spring; keeps the stretch, cut where the contact slides. kt and gt are those of
+    //  spring and dashpot
+    inline triple tangentialForce
+    (
+        contactBatch& c,
+        const int k,
+        const triple& stretch,
+        const triple& slip,
+        const double Fn,
+        const double kt,
+        const double gt
+    )
+    {
+        const double spring = kt*std::sqrt(dot(stretch, stretch));
+        const double most = c.friction[k]*std::fabs(Fn);
+        const bool slides = spring > most;
+        const triple held = stretch*(-kt);
+        const triple slid = held*(most/(slides ? spring : 1));
+        const triple stuck = held - slip*gt;
+        const double unit = slides ? kt : 1;
+
+        c.stretch.set
+        (
+            k,
+            {
+                slides ? -slid.x/unit : stretch.x,
+                slides ? -slid.y/unit : stretch.y,
+                slides ? -slid.z/unit : stretch.z
+            }
+        );
+
+        return
+        {
+            slides ? slid.x : stuck.x,
+            slides ? slid.y : stuck.y,
+            slides ? slid.z : stuck.z
+        };
+    }
+
+
+    //- Torque of the rolling spring: it takes the stiffness of the contact, and yields
+    //  at its limit
+    inline triple springTorque
+    (
+        contactBatch& c,
+        const int k,
+        const triple& normal,
+        const triple& spin,
+        const double stiffness,
+        const double limit,
+        const double dt
+    )
+    {
+        triple roll =
+            c.springTorque(k)
+          + (spin - normal*dot(spin, normal))*(dt*stiffness);
+
+        const double magnitude = std::sqrt(dot(roll, roll));
+        const bool yields = magnitude > limit;
+        const double part = limit/(yields ? magnitude : 1);
+
+        roll.x = yields ? roll.x*part : roll.x;
+        roll.y = yields ? roll.y*part : roll.y;
+        roll.z = yields ? roll.z*part : roll.z;
+
+        c.springTorque.set(k, roll);
+        return roll;
+    }
+
+
+    //- Constant torque against the spin, of an elastic load kn*overlap. LIGGGHTS's
+    //  order of factors, which differs at walls
+    template<bool wall>
+    inline triple constantTorque
+    (
+        const triple& normal,
+        const triple& spin,
+        const double rollingFriction,
+        const double kn,
+        const double overlap,
+        const double radius
+    )
+    {
+        const double magnitude = std::sqrt(dot(spin, spin));
+        const double unlessZero = magnitude > 0 ? magnitude : 1;
+        triple roll{0, 0, 0};
+
+        if constexpr (wall)
+        {
+            const double load = rollingFriction*(overlap*kn);
+            roll =
+            {
+                load*spin.x/unlessZero*radius,
+                load*spin.y/unlessZero*radius,
+                load*spin.z/unlessZero*radius
+            };
+        }
+        else
+        {
+            const double limit = rollingFriction*kn*overlap*radius;
+            roll = spin*(limit/unlessZero);
+        }
+        return roll - normal*dot(roll, normal);
+    }
+
+
     template<rollingFriction rolling, bool wall>
     void forces(contactBatch& c, const int n, const double dt)
     {
@@ -59,76 +166,30 @@ namespace
             triple stretch = c.stretch(k) + slip*dt;
             stretch = stretch - normal*dot(stretch, normal);
 
-            const double spring = kt*std::sqrt(dot(stretch, stretch));
-            const double most = c.friction[k]*std::fabs(Fn);
-            const bool slides = spring > most;
-            const triple held = stretch*(-kt);
-            const triple slid = held*(most/(slides ? spring : 1));
-            const triple stuck = held - slip*gt;
-            const double unit = slides ? kt : 1;
-
-            const triple Ft
-            {
-                slides ? slid.x : stuck.x,
-                slides ? slid.y : stuck.y,
-                slides ? slid.z : stuck.z
-            };
-
-            c.stretch.set
-            (
-                k,
-                {
-                    slides ? -slid.x/unit : stretch.x,
-                    slides ? -slid.y/unit : stretch.y,
-                    slides ? -slid.z/unit : stretch.z
-                }
-            );
+            const triple Ft = tangentialForce(c, k, stretch, slip, Fn, kt, gt);
 
             triple roll{0, 0, 0};
             const triple spin = wall ? turning : spinI - spinJ;
 
             if constexpr (rolling == rollingFriction::epsd2)
             {
-                const double stiffness = kt*radius*radius;
-                roll =
-                    c.springTorque(k)
-                  + (spin - normal*dot(spin, normal))*(dt*stiffness);
-
-                const double magnitude = std::sqrt(dot(roll, roll));
-                const double limit =
-                    std::fabs(Fn)*radius*c.rollingFriction[k];
-                const bool yields = magnitude > limit;
-                const double part = limit/(yields ? magnitude : 1);
-
-                roll.x = yields ? roll.x*part : roll.x;
-                roll.y = yields ? roll.y*part : roll.y;
-                roll.z = yields ? roll.z*part : roll.z;
-
-                c.springTorque.set(k, roll);
+                roll = springTorque
+                (
+                    c,
+                    k,
+                    normal,
+                    spin,
+                    kt*radius*radius,
+                    std::fabs(Fn)*radius*c.rollingFriction[k],
+                    dt
+                );
             }
             else if constexpr (rolling == rollingFriction::cdt)
             {
-                const double magnitude = std::sqrt(dot(spin, spin));
-                const double unlessZero = magnitude > 0 ? magnitude : 1;
-
-                // LIGGGHTS's order of factors, which differs at walls
-                if constexpr (wall)
-                {
-                    const double load = c.rollingFriction[k]*(overlap*kn);
-                    roll =
-                    {
-                        load*spin.x/unlessZero*radius,
-                        load*spin.y/unlessZero*radius,
-                        load*spin.z/unlessZero*radius
-                    };
-                }
-                else
-                {
-                    const double limit =
-                        c.rollingFriction[k]*kn*overlap*radius;
-                    roll = spin*(limit/unlessZero);
-                }
-                roll = roll - normal*dot(roll, normal);
+                roll = constantTorque<wall>
+                (
+                    normal, spin, c.rollingFriction[k], kn, overlap, radius
+                );
             }
 
             const triple turn = cross(normal, Ft);

@@ -259,6 +259,62 @@ void Foam::vectorisedContacts::flush(const int n)
 }
 
 
+int Foam::vectorisedContacts::addContacts(const int i, int n)
+{
+    contactBatch& c = batch_;
+    const int size = dnum();
+    const double* const radius = atom->radius;
+    const int* const neighbours = list->firstneigh[i];
+    int* const flags = listgranhistory->firstneigh[i];
+    double* const memory = listgranhistory->firstdouble[i];
+
+    const triple x = at(atom->x[0], i);
+    const double ri = radius[i];
+
+    for (int jj = 0; jj < list->numneigh[i]; ++jj)
+    {
+        const int j = neighbours[jj] & NEIGHMASK;
+        const triple d = x - at(atom->x[0], j);
+        const double rj = radius[j];
+        const double squared = dot(d, d);
+        const bool touch = squared < (ri + rj)*(ri + rj);
+
+        // Noted of each neighbour, kept of those that touch: to skip the
+        // others by a branch would cost more
+        c.i[n] = i;
+        c.j[n] = j;
+        c.flag[n] = flags + jj;
+        c.history[n] = memory + size*jj;
+        c.distance.set(n, d);
+        c.distanceSquared[n] = squared;
+        c.radiusI[n] = ri;
+        c.radiusJ[n] = rj;
+        n += touch;
+
+        // Where a contact has opened: no spring when it closes again, whenever
+        // the lists are built. LIGGGHTS keeps the spring until then
+        if (flags[jj] && !touch)
+        {
+            flags[jj] = 0;
+            std::fill_n(memory + size*jj, size, 0.0);
+        }
+
+        // What the force needs of j is on its way until the batch is full
+        __builtin_prefetch(atom->v[0] + 3*j);
+        __builtin_prefetch(atom->omega[0] + 3*j);
+        __builtin_prefetch(atom->f[0] + 3*j, 1);
+        __builtin_prefetch(atom->torque[0] + 3*j, 1);
+
+        if (n == contactBatch::capacity)
+        {
+            flush(n);
+            n = 0;
+        }
+    }
+    return n;
+}
+
+
 void Foam::vectorisedContacts::compute_force
 (
     int eflag,
@@ -278,61 +334,10 @@ void Foam::vectorisedContacts::compute_force
     }
     properties_.copy();
 
-    contactBatch& c = batch_;
-    const int size = dnum();
-    const double* const radius = atom->radius;
     int n = 0;
-
     for (int ii = 0; ii < list->inum; ++ii)
     {
-        const int i = list->ilist[ii];
-        const int* const neighbours = list->firstneigh[i];
-        int* const flags = listgranhistory->firstneigh[i];
-        double* const memory = listgranhistory->firstdouble[i];
-
-        const triple x = at(atom->x[0], i);
-        const double ri = radius[i];
-
-        for (int jj = 0; jj < list->numneigh[i]; ++jj)
-        {
-            const int j = neighbours[jj] & NEIGHMASK;
-            const triple d = x - at(atom->x[0], j);
-            const double rj = radius[j];
-            const double squared = dot(d, d);
-            const bool touch = squared < (ri + rj)*(ri + rj);
-
-            // Noted of each neighbour, kept of those that touch: to skip the
-            // others by a branch would cost more
-            c.i[n] = i;
-            c.j[n] = j;
-            c.flag[n] = flags + jj;
-            c.history[n] = memory + size*jj;
-            c.distance.set(n, d);
-            c.distanceSquared[n] = squared;
-            c.radiusI[n] = ri;
-            c.radiusJ[n] = rj;
-            n += touch;
-
-            // Where a contact has opened: no spring when it closes again, whenever
-            // the lists are built. LIGGGHTS keeps the spring until then
-            if (flags[jj] && !touch)
-            {
-                flags[jj] = 0;
-                std::fill_n(memory + size*jj, size, 0.0);
-            }
-
-            // What the force needs of j is on its way until the batch is full
-            __builtin_prefetch(atom->v[0] + 3*j);
-            __builtin_prefetch(atom->omega[0] + 3*j);
-            __builtin_prefetch(atom->f[0] + 3*j, 1);
-            __builtin_prefetch(atom->torque[0] + 3*j, 1);
-
-            if (n == contactBatch::capacity)
-            {
-                flush(n);
-                n = 0;
-            }
-        }
+        n = addContacts(list->ilist[ii], n);
     }
 
     if (n)

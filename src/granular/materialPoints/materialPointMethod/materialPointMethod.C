@@ -40,37 +40,6 @@ namespace
         return model == "APIC" ? 0 : share;
     }
 
-
-    //- A number of the dictionary sideWalls, which must be whole and sound; 0 without it
-    scalar ofSideWalls(const dictionary& dict, const pointGrid& grid, const word& key)
-    {
-        if (!dict.found("sideWalls"))
-        {
-            return 0;
-        }
-
-        const dictionary walls(keywords::sub(dict, "sideWalls", {"friction", "width"}));
-        if (grid.nDims() != 2)
-        {
-            FatalIOErrorInFunction(walls)
-                << "sideWalls are those of a plane, and the mesh is none: all its"
-                << " directions are solved." << nl
-                << "    Take sideWalls out, and give the patches of the walls friction."
-                << exit(FatalIOError);
-        }
-
-        const scalar friction = walls.getOrDefault<scalar>("friction", -1);
-        const scalar width = walls.getOrDefault<scalar>("width", 0);
-        if (!(friction >= 0 && width > 0))
-        {
-            FatalIOErrorInFunction(walls)
-                << "sideWalls need their friction, 0 or more, and width, the distance of"
-                << " both walls across the plane, above 0 m." << nl
-                << "    Give both: sideWalls { friction 0.5; width 2; }"
-                << exit(FatalIOError);
-        }
-        return key == "width" ? width : friction;
-    }
 }
 
 
@@ -91,8 +60,7 @@ Foam::materialPointMethod::materialPointMethod
     densityAveraging_(dict.getOrDefault<Switch>("densityAveraging", false)),
     shifting_(dict.getOrDefault<Switch>("shifting", false)),
     courant_(dict.getOrDefault<scalar>("courant", 0.4)),
-    sideFriction_(ofSideWalls(dict, grid, "friction")),
-    width_(ofSideWalls(dict, grid, "width")),
+    sideWalls_(dict, grid_),
     nLeft_(0),
     sinceSorted_(sortInterval),
     nodes_(1)

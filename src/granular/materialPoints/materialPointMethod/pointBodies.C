@@ -137,10 +137,7 @@ void Foam::materialPointMethod::sizeFields()
     {
         change_.assign(n, none);
     }
-    if (sideFriction_ > 0)
-    {
-        braking_.assign(n, scalarField(grid_.nNodes(), Zero));
-    }
+    sideWalls_.setSize(n, grid_.nNodes());
     if (averaging_)
     {
         cellVolume_.setSize(n*grid_.nNodes());

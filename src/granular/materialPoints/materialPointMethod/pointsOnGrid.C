@@ -74,9 +74,9 @@ void Foam::materialPointMethod::momentumToNodes(const scalar dt)
         }
 
         lanes value(toLanes(p.mass[i], momentum));
-        if (APIC && sideFriction_ > 0)
+        if (APIC && sideWalls_.brake())
         {
-            value[sideLane] = sideImpulse(i, dt);
+            value[sideLane] = sideWalls_.impulse(p.stress[i], p.volume[i], dt);
         }
         splineStencil<D>(grid_, p.x[i]).add(nodes_[fieldOf(i)], value, slope);
     }
@@ -105,9 +105,9 @@ void Foam::materialPointMethod::forceToNodes(const scalar dt)
         }
 
         lanes value(toLanes(0, dt*p.force[i]));
-        if (sideFriction_ > 0)
+        if (sideWalls_.brake())
         {
-            value[sideLane] = sideImpulse(i, dt);
+            value[sideLane] = sideWalls_.impulse(p.stress[i], p.volume[i], dt);
         }
         splineStencil<D>(grid_, p.x[i]).add(change_[fieldOf(i)], value, slope);
     }
@@ -145,46 +145,11 @@ void Foam::materialPointMethod::moveNodes(const scalar dt)
             }
             node += fall;
             node[0] = m;
-            if (sideFriction_ > 0)
+            if (sideWalls_.brake())
             {
-                braking_[field][i] = node[sideLane];
+                sideWalls_.braking(field, i) = node[sideLane];
                 node[sideLane] = 0;
             }
-        }
-    }
-}
-
-
-Foam::scalar Foam::materialPointMethod::sideImpulse
-(
-    const label i,
-    const scalar dt
-) const
-{
-    // The stress across the plane presses on both of them
-    vector across(Zero);
-    across[3 - grid_.axes()[0] - grid_.axes()[1]] = 1;
-    const scalar pressure = -(across & points_.stress[i] & across);
-    return dt*2*sideFriction_*max(pressure, scalar(0))*points_.volume[i]/width_;
-}
-
-
-void Foam::materialPointMethod::applySideWalls()
-{
-    for (std::size_t field = 0; field < braking_.size(); ++field)
-    {
-        nodeLanes& nodes = nodes_[field];
-        for (std::size_t i = 0; i < nodes.size(); ++i)
-        {
-            lanes& node = nodes[i];
-            const scalar speed = std::hypot(node[1], node[2]);
-            if (speed > 0)
-            {
-                const scalar kept = max(1 - braking_[field][i]/speed, scalar(0));
-                node[1] *= kept;
-                node[2] *= kept;
-            }
-            braking_[field][i] = 0;
         }
     }
 }
@@ -325,7 +290,7 @@ void Foam::materialPointMethod::transfer(const scalar dt)
         moveNodes(dt);
         touch<D>();
         applyWalls(true);
-        applySideWalls();
+        sideWalls_.apply(nodes_);
         velocityToPoints<D>(dt);
         return;
     }
@@ -334,7 +299,7 @@ void Foam::materialPointMethod::transfer(const scalar dt)
     moveNodes(dt);
     touch<D>();
     applyWalls(true);
-    applySideWalls();
+    sideWalls_.apply(nodes_);
     findChange();
     changeToPoints<D>(dt);
 
