@@ -19,9 +19,9 @@ BEGIN {
 }
 
 # In % of the paper's value
-function difference(v, wanted)
+function difference(v, reference)
 {
-    return v == "" ? "" : sprintf("%.1f", 100*(v/wanted - 1))
+    return v == "" ? "" : sprintf("%.1f", 100*(v/reference - 1))
 }
 
 {
