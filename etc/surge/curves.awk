@@ -44,7 +44,7 @@ FNR == 1 {
 }
 /^#/ { next }
 {
-    # A run that went on from before its end has these times anew
+    # A run that went on from before its end has these times again
     while (rows[kind] && value[kind, rows[kind], 1] + 0 >= $1 + 0) rows[kind]--
     r = ++rows[kind]
     for (i = 1; i <= columns[kind]; i++) value[kind, r, i] = $i
