@@ -55,7 +55,8 @@ function number(x) { return x ~ /^[-+]?[0-9.]+([eE][-+]?[0-9]+)?$/ ? sprintf("%.
 function list(kind, column,    r, step, s)
 {
     step = int(rows[kind]/points) + 1
-    for (r = 1; r <= rows[kind]; r += step) s = s (s == "" ? "" : ",") number(value[kind, r, column])
+    for (r = 1; r <= rows[kind]; r += step)
+        s = s (s == "" ? "" : ",") number(value[kind, r, column])
     return "[" s "]"
 }
 

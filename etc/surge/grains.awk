@@ -7,8 +7,8 @@
 # moves: a line "t TIME" for each time, then a line "id x y z speed" for each grain that has
 # moved or comes into view, and "id -" for each that has left or is hidden. Lengths in
 # hundredths of half a grain (the smallest one), speeds in mm/s. kept: a line "scale unit all
-# drawn speed x1 x2 y1 y2 z1 z2", then "id d type" for each grain that shows at some time; "drawn" is the mean
-# over all times. A grain is hidden where grains lie over it, at its place and all around, and
+# drawn speed x1 x2 y1 y2 z1 z2", then "id d type" for each grain that shows at some time;
+# "drawn" is the mean over all times. A grain is hidden where grains lie over it, at its place and all around, and
 # it is not at the middle, where the page may cut. It stays a time longer and comes a time
 # earlier, so that what moves into view does so smoothly.
 

@@ -46,7 +46,8 @@ END {
         printf ",%s,%sPaper,%sDifference", column[c], column[c], column[c]
     nMore = split("Fc bouncing creeping netStart netEnd peakTime hash code " \
         "LFromWall LFromWallDifference tBegin tEnd stationary Ubouncing Ucreeping " \
-        "LcFarthest LcFarthestDifference Utip UtipDifference Upassing UpassingDifference hPassing " \
+        "LcFarthest LcFarthestDifference Utip UtipDifference " \
+        "Upassing UpassingDifference hPassing " \
         "UPrinted FrAsPrinted Umoving Ureach hreach", more, " ")
     for (i = 1; i <= nMore; i++) printf ",%s", more[i]
     print ""
