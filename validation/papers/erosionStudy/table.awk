@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The paper's results beside ours, a line for each run. Differences are in % of the
-# paper's value. L is the eroded length beyond x = 0.6 m, LFromWall reaches from x = 0 to the end
-# of the scar; both are compared with the paper's L, see README.md.
+# paper's value. L is the eroded length beyond x = 0.6 m, LFromWall reaches from x = 0 to
+# the end of the scar; both are compared with the paper's L, see README.md.
 #
 #   awk -v suffix=-slice -v states=FILE -f head.awk -f paperTable.awk -f table.awk paper.csv rows...
 #
