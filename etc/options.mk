@@ -52,9 +52,9 @@ GRAINS_LIBS = -lliggghts
 EIGEN_INC = -isystem /usr/include/eigen3 -DEIGEN_FAST_MATH=0 \
     -Wno-maybe-uninitialized
 
-# Headers of others take three quarters of a compilation. What a part names in
-# "precompile" (nothing where that is empty) is read once, by Allwmake with "wmake
-# precompiled", for all parts that name the same; where one of its headers changes, again.
+# Headers of others take three quarters of a compilation. What a part names in "precompile"
+# (nothing where that is empty) is read once, by Allwmake with "wmake precompiled", for all
+# parts that name the same; where one of its headers changes, again.
 precompile ?= $(INTERDEMFOAM_DIR)/etc/openfoam.H
 PRECOMPILED = $(INTERDEMFOAM_DIR)/platforms/$(WM_OPTIONS)/$(subst \
     /,.,$(patsubst $(INTERDEMFOAM_DIR)/%,%,$(precompile)))
