@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What shows of a flume whose walls are drawings: the box of the cells in cells.dat, nearer
-# than y = cut left out. range: x from,to; upTo: height, where not all shows.
+# What shows of a flume whose walls are drawings: the box of the cells in cells.dat,
+# nearer than y = cut left out. range: x from,to; upTo: height, where not all shows.
 
 /^#/ { next }
 !n++ { x0 = x1 = $1; y1 = $2; z1 = $3; size = $4 }

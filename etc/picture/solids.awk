@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Closed bodies of POV-Ray from drawings (ASCII STL, in m), one for each file, as the macro
-# Bodies; all but the first, the ground, are dark.
+# Closed bodies of POV-Ray from drawings (ASCII STL, in m), one for each file, as the
+# macro Bodies; all but the first, the ground, are dark.
 
 FNR == 1 { print (files++ ? closed(files > 2) : "#macro Bodies()") "\nmesh {" }
 /^ *vertex/ {

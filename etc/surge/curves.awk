@@ -44,7 +44,7 @@ FNR == 1 {
 }
 /^#/ { next }
 {
-    # A run that went on from before its end has these times anew
+    # A run that went on from before its end has these times again
     while (rows[kind] && value[kind, rows[kind], 1] + 0 >= $1 + 0) rows[kind]--
     r = ++rows[kind]
     for (i = 1; i <= columns[kind]; i++) value[kind, r, i] = $i
@@ -55,7 +55,8 @@ function number(x) { return x ~ /^[-+]?[0-9.]+([eE][-+]?[0-9]+)?$/ ? sprintf("%.
 function list(kind, column,    r, step, s)
 {
     step = int(rows[kind]/points) + 1
-    for (r = 1; r <= rows[kind]; r += step) s = s (s == "" ? "" : ",") number(value[kind, r, column])
+    for (r = 1; r <= rows[kind]; r += step)
+        s = s (s == "" ? "" : ",") number(value[kind, r, column])
     return "[" s "]"
 }
 

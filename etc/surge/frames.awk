@@ -3,8 +3,8 @@
 #
 #   awk -v about=FILE -f frames.awk kept moves > frames
 #
-# The first line holds diameter (12 bits) and type (6 bits) of each grain. A line for each time
-# follows: a bit for each grain that has moved, then its x, y and z as 16-bit
+# The first line holds diameter (12 bits) and type (6 bits) of each grain. A line for each
+# time follows: a bit for each grain that has moved, then its x, y and z as 16-bit
 # integers and its speed in 6 bits. All in base64. A grain that is not drawn is at 65535.
 # about: times, ranges and numbers, as members of a JSON object.
 

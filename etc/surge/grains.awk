@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Grains of all times for the page of surgePage, from grains.dat of a sideView, in order of
-# time:
+# Grains of all times for the page of surgePage, from grains.dat of a
+# sideView, in order of time:
 #
 #   awk -v kept=FILE -f grains.awk TABLE... > moves
 #
-# moves: a line "t TIME" for each time, then a line "id x y z speed" for each grain that has
-# moved or comes into view, and "id -" for each that has left or is hidden. Lengths in
-# hundredths of half a grain (the smallest one), speeds in mm/s. kept: a line "scale unit all
-# drawn speed x1 x2 y1 y2 z1 z2", then "id d type" for each grain that shows at some time; "drawn" is the mean
-# over all times. A grain is hidden where grains lie over it, at its place and all around, and
-# it is not at the middle, where the page may cut. It stays a time longer and comes a time
-# earlier, so that what moves into view does so smoothly.
+# moves: a line "t TIME" for each time, then a line "id x y z speed" for each grain that
+# has moved or comes into view, and "id -" for each that has left or is hidden. Lengths in
+# hundredths of half a grain (the smallest one), speeds in mm/s. kept: a line "scale unit
+# all drawn speed x1 x2 y1 y2 z1 z2", then "id d type" for each grain that shows at some
+# time; "drawn" is the mean over all times. A grain is hidden where grains lie over it, at
+# its place and all around, and it is not at the middle, where the page may cut. It stays
+# a time longer and comes a time earlier, so that what moves into view does so smoothly.
 
 FNR == 1 {
     if (started++) endOfTime()
@@ -80,8 +80,8 @@ function shows(i,    across)
 
 function far(a, b, by) { return a - b > by || b - a > by }
 
-# True if grain i is drawn at this time; one that comes into view is added to the time before,
-# whose lines are not closed yet
+# True if grain i is drawn at this time; one that comes into view is added to the time
+# before, whose lines are not closed yet
 function drawn(i, g)
 {
     if (shows(i))

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Cells of a sideView (cells.dat) on a mesh that is no grid of boxes, as the mean values in a
-# grid, for waterColumns.awk:
+# Cells of a sideView (cells.dat) on a mesh that is no grid of boxes, as the mean values
+# in a grid, for waterColumns.awk:
 #
 #   awk [-v across=WIDTH] -f gridded.awk cells.dat
 #
-# Cells that are a grid of boxes stay as they are. across: width of the domain [m], for a mesh
-# of one cell across.
+# Cells that are a grid of boxes stay as they are. across: width of the domain [m], for
+# a mesh of one cell across.
 
 /^#/ { next }
 {

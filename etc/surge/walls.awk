@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Triangles of ASCII STL files for the page of surgePage, as a JSON list of coordinates. Those
-# at right angles to y, as side walls are, stay away, since one looks through them.
+# Triangles of ASCII STL files for the page of surgePage, as a JSON list of coordinates.
+# Those at right angles to y, as side walls are, stay away, since one looks through them.
 
 function put(    i)
 {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The narrowest opening of a dam (ASCII STL): the plane across the chute in the middle of the
-# body cuts it, and along y gaps lie between its parts, at forty heights. Prints width, y of
-# the middle, z; nothing where no gap lies between parts.
+# The narrowest opening of a dam (ASCII STL): the plane across the chute in the middle of
+# the body cuts it, and along y gaps lie between its parts, at forty heights. Prints
+# width, y of the middle, z; nothing where no gap lies between parts.
 #
 #   awk -f openings.awk dam.m.stl
 

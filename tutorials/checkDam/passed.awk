@@ -4,8 +4,9 @@
 #
 #   awk -v to=X -f passed.awk view/0.1/grains.dat view/0.2/grains.dat ...
 #
-# A line of headings, then one a moment: time, then for each size (bed, then debris from small
-# to large) the fraction that has passed. With -v last=1 a row of Markdown for each size, at the last moment.
+# A line of headings, then one a moment: time, then for each size (bed, then debris from
+# small to large) the fraction that has passed. With -v last=1 a row of Markdown for
+# each size, at the last moment.
 
 FNR == 1 {
     moments++

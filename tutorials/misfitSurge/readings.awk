@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The readings of one experiment every 8 ms, with the noise of the gauges, from the tables of
-# porePressureProbes and surgeFront:
+# The readings of one experiment every 8 ms, with the noise of the gauges, from the tables
+# of porePressureProbes and surgeFront:
 #
 #   awk -v seed=1 -f readings.awk porePressureProbes.dat surgeFront.dat
 function noise(deviation)

@@ -6,7 +6,7 @@
 #   awk -v d=.. -v rhoS=.. [-v rho=1000 -v nu=1e-6 -v g=9.81 -v C=0] \
 #       -f forceBalance.awk -f deviation.awk grain.dat
 #
-# Reads lines "t z v_z" and tells "t v vReference" (downwards, m/s); the last
+# Reads lines "t z v_z" and prints "t v vReference" (downwards, m/s); the last
 # line is "# terminal <velocity that balances the forces> deviation <largest
 # |v - vReference| over it>".
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Of constant/flume: whether the barrier is within the mesh, and faces of it stand there, 1.7
-# of 2.6 m along it, and end at its crest. Else topoSet finds no barrier, or floors of cells
-# that float there.
+# Of constant/flume: whether the barrier is within the mesh, and faces of it stand there,
+# 1.7 of 2.6 m along it, and end at its crest. Else topoSet finds no barrier, or floors
+# of cells that float there.
 #
 #   awk -f onFaces.awk constant/flume
 

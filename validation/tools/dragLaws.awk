@@ -7,10 +7,10 @@
 #
 # d, rhoS: diameter and density of the grains, rho, mu: density and viscosity
 # of the fluid, all in SI. e is the void fraction, U the superficial slip: e times
-# the slip between the grains. What the authors call drag differs. Some mean the whole force of the
-# fluid less hydrostatic buoyancy; others leave out the gradient of the excess
-# pressure, which carries a grain with the share 1 - e of the whole. The laws
-# here leave it out, so that the whole force is that of the law over e.
+# the slip between the grains. What the authors call drag differs. Some mean the whole
+# force of the fluid less hydrostatic buoyancy; others leave out the gradient of the
+# excess pressure, which carries a grain with the share 1 - e of the whole. The laws here
+# leave it out, so that the whole force is that of the law over e.
 
 BEGIN { pi = atan2(0, -1) }
 

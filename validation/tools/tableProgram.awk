@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The program, for awk after tableRows.awk, that prints a table of a study; see pageTables.
+# The program, for awk after tableRows.awk, that prints a table
+# of a study; see pageTables.
 #
 #   awk -v table=NAME -v study=FOLDER -f tableProgram.awk tables
 

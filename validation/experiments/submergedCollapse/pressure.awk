@@ -5,7 +5,7 @@
 #
 # Prints for each period of that width [s] its middle and the mean of all probes.
 
-function tell()
+function printMean()
 {
     if (n) printf "%g %.5g\n", (k + 0.5)*width, s/n
     n = s = 0
@@ -13,8 +13,8 @@ function tell()
 
 /^ *[0-9]/ {
     now = int($1/width)
-    if (now != k) { tell(); k = now }
+    if (now != k) { printMean(); k = now }
     for (i = 2; i <= NF; ++i) { s += $i; ++n }
 }
 
-END { tell() }
+END { printMean() }

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Effects of mechanisms beside the scatter of packings, as surgeEffects.md defines them, from
-# rows of runs <mechanism>-<replicate> and without-<replicate>:
+# Effects of mechanisms beside the scatter of packings, as surgeEffects.md defines them,
+# from rows of runs <mechanism>-<replicate> and without-<replicate>:
 #
 #   awk -F, -v noise="30 50 0.003 0.01 0.002" -f effects.awk rows/*.csv
 #

@@ -34,7 +34,7 @@ function left(a, b,    k, scale, d, c, sum, of, largest)
 }
 
 END {
-    print "mechanism,effect,most like,cosine,left,told by"
+    print "mechanism,effect,most like,cosine,left,distinguished by"
     for (i = 1; i <= mechanisms; i++)
     {
         best = 0

@@ -58,14 +58,14 @@ FILENAME ~ /csv$/ {
     gsub(/`| *\(SNR .*\)/, "", name)
     name = trimmed(name)
     if (!(name in csv)) next
-    asked = cell[3]
-    gsub(/≤/, "<=", asked)
-    gsub(/≥/, ">=", asked)
-    sub(/ *%/, "", asked)
+    bound = cell[3]
+    gsub(/≤/, "<=", bound)
+    gsub(/≥/, ">=", bound)
+    sub(/ *%/, "", bound)
     if (goals != "no") {
         compared++
-        if (trimmed(asked) != goal[csv[name]])
-            wrong("the goal " trimmed(asked), "\"" goal[csv[name]] "\"")
+        if (trimmed(bound) != goal[csv[name]])
+            wrong("the goal " trimmed(bound), "\"" goal[csv[name]] "\"")
     }
     for (i = 1; i <= files; i++)
     {

@@ -4,10 +4,10 @@
 #   awk -F, -v what=experiments|channels -v calibration="D3M115V45 ..." \
 #       [-v validation=".."] [-v test=".."] -f recorded.awk ../../papers/erosionStudy/paper.csv
 #
-# The uncertainty of H, L, L_c and U is the scatter of the paper's 27 values around their own
-# power law of D, M and V; their gain has 5 % for what the definitions leave open (README.md).
-# U_e and h are not fitted: U_e is 0.67 H L (L_c - 0.6 m) in the paper, and how h was read is
-# not known.
+# The uncertainty of H, L, L_c and U is the scatter of the paper's 27 values around their
+# own power law of D, M and V; their gain has 5 % for what the definitions leave open
+# (README.md). U_e and h are not fitted: U_e is 0.67 H L (L_c - 0.6 m) in the paper, and
+# how h was read is not known.
 
 BEGIN {
     read(calibration, "calibration")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The layers of the bed, bouncing, creeping and stationary: their means over the net
-# erosion, which lasts from begin to end, and how fast the bed still is at the end. Between
-# runTables.awk and row.awk.
+# erosion, which lasts from begin to end, and how fast the bed still is at the end.
+# Between runTables.awk and row.awk.
 
 # Mean of a column of the layers over the net erosion; that of a velocity is over
 # what moves, with its thickness, since a layer without grains has none

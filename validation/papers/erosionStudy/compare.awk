@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Lines "check,quantity,value,wanted,unit" for statistics.csv on one quantity, from the
+# Lines "check,quantity,value,reference,unit" for statistics.csv on one quantity, from the
 # output of tableStatistics -compare:
 #
 #   awk -F, -v q=H -v goal=5 -v bound=8.5 -v nDone=24 -v nRuns=24 -v enough=9 -v scatter= \
@@ -13,32 +13,32 @@
 
 { of[$1] = $2 }
 
-function tell(check, what, number, wanted, unit)
+function writeRow(check, what, number, reference, unit)
 {
     printf "%s,%s - %s,%s,%s,%s\n", nDone == nRuns ? check : "reported", q, what, \
-        number, wanted, unit
+        number, reference, unit
 }
 
 END {
     # Runs that were done before it was read
     if (of["pairs"] < nDone)
     {
-        tell("reported", "runs without it", nDone - of["pairs"])
+        writeRow("reported", "runs without it", nDone - of["pairs"])
         exit
     }
-    tell(goal ? "atMost" : "reported", "mean absolute difference", \
+    writeRow(goal ? "atMost" : "reported", "mean absolute difference", \
         sprintf("%.3g", of["meanAbsoluteDifference"]), bound, "%")
     if (goal)
-        tell("reported", "goal of the mean absolute difference", goal, "", "%")
-    tell("reported", "that of the paper's mean for every run", \
+        writeRow("reported", "goal of the mean absolute difference", goal, "", "%")
+    writeRow("reported", "that of the paper's mean for every run", \
         sprintf("%.3g", of["constantDifference"]), "", "%")
-    tell("reported", "skill over that constant", sprintf("%.2f", of["skill"]))
+    writeRow("reported", "skill over that constant", sprintf("%.2f", of["skill"]))
     if (nDone < enough) exit
-    tell(goal ? "atLeast" : "reported", "rank correlation", \
+    writeRow(goal ? "atLeast" : "reported", "rank correlation", \
         sprintf("%.3f", of["rankCorrelation"]), goal ? 0.75 : "")
     if (scatter == "") exit
-    tell("reported", "scatter between packings" ofSlices, \
+    writeRow("reported", "scatter between packings" ofSlices, \
         sprintf("%.2g", 100*scatter/of["mean"]), "", "% of the mean")
-    tell("reported", "rank correlation without the chance of the packings - 90 %", \
+    writeRow("reported", "rank correlation without the chance of the packings - 90 %", \
         sprintf("%.2f to %.2f", of["rankCorrelationFrom"], of["rankCorrelationTo"]))
 }

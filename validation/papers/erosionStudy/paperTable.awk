@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The paper's table. A number that follows from others is computed from them, U with D and M
-# exchanged (see misprint.awk): Fr of Eq 12 and E of Eq 15 from its M, U and h. Its own Fr
-# column and E with it, its U and Fr with that are kept as printed. Behind head.awk.
+# The paper's table. A number that follows from others is computed from them, U with D and
+# M exchanged (see misprint.awk): Fr of Eq 12 and E of Eq 15 from its M, U and h. Its own
+# Fr column and E with it, its U and Fr with that are kept as printed. Behind head.awk.
 
 BEGIN {
     FS = ","

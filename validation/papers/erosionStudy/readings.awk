@@ -6,7 +6,7 @@
 
 BEGIN {
     OFS = ","
-    n = split("1.6 2 2.4 2.8 3.2", wanted, " ")
+    n = split("1.6 2 2.4 2.8 3.2", moments, " ")
 }
 
 FNR == 1 { file++ }
@@ -15,7 +15,7 @@ FNR == 1 { file++ }
 {
     for (k = 1; k <= n; k++)
     {
-        off = ($1 - wanted[k])^2
+        off = ($1 - moments[k])^2
         if ((file, k) in line && off >= least[file, k]) continue
         least[file, k] = off
         line[file, k] = $0
@@ -27,7 +27,7 @@ END {
     {
         split(line[1, k], layer, " ")
         split(line[2, k], bed, " ")
-        print run, hash, wanted[k], sprintf("%.4g", bed[2]), sprintf("%.4g", bed[5]), \
+        print run, hash, moments[k], sprintf("%.4g", bed[2]), sprintf("%.4g", bed[5]), \
             sprintf("%.2f", bed[15]), sprintf("%.4f", layer[5]), sprintf("%.3f", layer[6])
     }
 }

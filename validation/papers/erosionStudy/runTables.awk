@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The tables of a run's function objects, of all its starts: the number at a time, the last
-# line. Before row.awk, which makes a row of them.
+# The tables of a run's function objects, of all its starts: the number at a time, the
+# last line. Before row.awk, which makes a row of them.
 
 # .../<object>/<start>/<table>.dat: a run that was stopped has tables of several
 # starts, in any order. Where a start wrote no state before it was killed, the next

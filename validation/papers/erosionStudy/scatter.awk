@@ -6,7 +6,8 @@
 #
 # <run>-seed2 and so on belong to <run>; on is -slice if they are slices. Lines "<column>
 # <standard deviation>" and "freedom <degrees of freedom>"; none without repeated runs.
-# Runs whose U and h were read elsewhere along the chute are not repetitions of each other.
+# Runs whose U and h were read elsewhere along the chute are not
+# repetitions of each other.
 
 FNR == 1 {
     for (i = 1; i <= NF; i++) name[i] = $i

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The paper's results beside ours, a line for each run. Differences are in % of the
-# paper's value. L is the eroded length beyond x = 0.6 m, LFromWall reaches from x = 0 to the end
-# of the scar; both are compared with the paper's L, see README.md.
+# paper's value. L is the eroded length beyond x = 0.6 m, LFromWall reaches from x = 0 to
+# the end of the scar; both are compared with the paper's L, see README.md.
 #
 #   awk -v suffix=-slice -v states=FILE -f head.awk -f paperTable.awk -f table.awk paper.csv rows...
 #
@@ -19,9 +19,9 @@ BEGIN {
 }
 
 # In % of the paper's value
-function difference(v, wanted)
+function difference(v, reference)
 {
-    return v == "" ? "" : sprintf("%.1f", 100*(v/wanted - 1))
+    return v == "" ? "" : sprintf("%.1f", 100*(v/reference - 1))
 }
 
 {
@@ -46,7 +46,8 @@ END {
         printf ",%s,%sPaper,%sDifference", column[c], column[c], column[c]
     nMore = split("Fc bouncing creeping netStart netEnd peakTime hash code " \
         "LFromWall LFromWallDifference tBegin tEnd stationary Ubouncing Ucreeping " \
-        "LcFarthest LcFarthestDifference Utip UtipDifference Upassing UpassingDifference hPassing " \
+        "LcFarthest LcFarthestDifference Utip UtipDifference " \
+        "Upassing UpassingDifference hPassing " \
         "UPrinted FrAsPrinted Umoving Ureach hreach", more, " ")
     for (i = 1; i <= nMore; i++) printf ",%s", more[i]
     print ""

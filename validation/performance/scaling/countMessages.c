@@ -5,7 +5,7 @@
  * COUNT_TO; writes count.<rank> when the run ends. stages.h is made from the
  * symbols of the library of the coupling.
  *
- * The stage is found on the stack of calls, as nothing of the solver tells it. */
+ * The stage is found on the stack of calls, as nothing in the solver states it. */
 
 #define _GNU_SOURCE
 #include <dlfcn.h>

@@ -4,7 +4,8 @@
 # drawRun name picture from to height times...: the debris by its speed, after impact
 drawRun()
 {
-    local name="$1" picture="$2" from="$3" to="$4" high="$5" impact table time panels='' folder places
+    local name="$1" picture="$2" from="$3" to="$4" high="$5"
+    local impact table time panels='' folder places
     shift 5
     folder="$(tablesOf "$name")/.."
     [ -d "$folder/postProcessing/view" ] || return 0
@@ -22,7 +23,8 @@ plot '$table' using 1:3:(\$4/2):5 with circles linecolor palette fillstyle solid
 set terminal pngcairo size 1100,$((190*$#)) noenhanced font ',11'
 set output '$picture'
 set multiplot layout $#,1
-set size ratio -1; set key off; set lmargin 9; set rmargin 12; set bmargin 2; set tmargin 1.5; set ytics 2; unset grid
+set size ratio -1; set key off; set lmargin 9; set rmargin 12
+set bmargin 2; set tmargin 1.5; set ytics 2; unset grid
 set xrange [$from:$to]; set yrange [0:$high]
 set ylabel 'z [m]'; set cblabel 'speed [m/s]'; set cbrange [0:14]
 $(awk '{ v[$1] = $2 + 0 }

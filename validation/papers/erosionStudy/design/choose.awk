@@ -4,9 +4,9 @@
 #   awk -v to=design -f design/choose.awk design/choosing paper.csv rows...
 #
 # Writes chutes.csv (H, L, L_c of runs of the chute), heads.csv (of those that have them:
-# the bed's velocity at the end, U and h where heads take shape), flume.csv (the bare flume), and beside them the
-# targets of the three rows that choose and the conditions of the 24 that judge. The
-# numbers of a run and what is varied in it are read from its name.
+# the bed's velocity at the end, U and h where heads take shape), flume.csv (the bare
+# flume), and beside them the targets of the three rows that choose and the conditions of
+# the 24 that judge. The numbers of a run and what is varied in it are read from its name.
 
 BEGIN {
     FS = ","
