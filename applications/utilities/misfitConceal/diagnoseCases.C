@@ -4,6 +4,7 @@
 #include "concealedSide.H"
 #include "diagnosis.H"
 #include "gaussianProcess.H"
+#include "record.H"
 #include "report.H"
 #include "textFile.H"
 #include "words.H"
@@ -37,12 +38,10 @@ json rival(const finding& f, const scalar clockUncertainty)
         const whitener white(h.covariance);
         const vec left = h.data.y - h.before;
         const scalar n = h.data.size();
-        return
-        {
-            {"what", describe(h)},
-            {"meanSquareBefore", white(left).squaredNorm()/n},
-            {"meanSquareAfter", white(vec(left - learnt(h.data))).squaredNorm()/n}
-        };
+        json match(heldOutData(h));
+        match["meanSquareBefore"] = white(left).squaredNorm()/n;
+        match["meanSquareAfter"] = white(vec(left - learnt(h.data))).squaredNorm()/n;
+        return match;
     });
 }
 

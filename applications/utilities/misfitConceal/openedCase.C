@@ -3,6 +3,7 @@
 
 #include "openedCase.H"
 #include "diagnosis.H"
+#include "record.H"
 
 #include "OSspecific.H"
 
@@ -95,22 +96,29 @@ vec sampled(const json& effect, const detectability& detect)
 }
 
 
-//- The explanations of a set
-std::vector<alternative> alternativesOf(const json& verdict, const fileName& folder)
+//- The verdict in a folder
+json verdictIn(const fileName& folder)
 {
-    if (verdict["verdict"] == "set" && !verdict.contains("alternatives"))
+    const json verdict(readJson(folder/"verdict.json"));
+    if (verdict.value("schema", 0) != recordSchema)
     {
         FatalErrorInFunction
-            << folder/"verdict.json" << " is of an earlier version, and its set has no"
-            << " alternatives: remove the file and diagnose this case again with"
-            << " -diagnose" << exit(FatalError);
+            << folder/"verdict.json" << " is of another version: remove the file and"
+            << " diagnose this case again with -diagnose" << exit(FatalError);
     }
+    return verdict;
+}
+
+
+//- The explanations of a set
+std::vector<alternative> alternativesOf(const json& verdict)
+{
     const auto nameOf = [](const json& channel)
     {
         return channel.is_null() ? std::string() : channel.get<std::string>();
     };
     std::vector<alternative> all;
-    for (const json& one : verdict.value("alternatives", json::array()))
+    for (const json& one : verdict["alternatives"])
     {
         all.push_back
         ({
@@ -143,9 +151,9 @@ bool setIsRight(const openedCase& c)
 bool isRight(const openedCase& c)
 {
     return
-        c.outcome == "set" ? setIsRight(c)
-      : c.outcome == "none" ? c.kind == "null"
-      : c.outcome == "unknown" ? c.kind == "outside"
+        c.outcome == verdictKind::set ? setIsRight(c)
+      : c.outcome == verdictKind::none ? c.kind == "null"
+      : c.outcome == verdictKind::unknown ? c.kind == "outside"
       : c.blamesChannel() ? c.faulty.size() && c.names == nameList({c.faulty})
       : c.nothingWrong;
 }
@@ -201,10 +209,10 @@ openedCase opened
 {
     openedCase c;
     c.key = key;
-    c.verdict = readJson(folder/"verdict.json");
+    c.verdict = verdictIn(folder);
     c.proof = readJson(folder/"proof.json");
     c.kind = key["kind"];
-    c.outcome = c.verdict["verdict"];
+    c.outcome = verdictNames[word(c.verdict["verdict"].get<std::string>())];
     c.faulty = key["faulty"];
     for (const json& m : key["mechanisms"])
     {
@@ -212,10 +220,10 @@ openedCase opened
     }
     c.truth = sorted(c.truth);
     c.names = sorted(c.verdict["names"]);
-    c.alternatives = alternativesOf(c.verdict, folder);
+    c.alternatives = alternativesOf(c.verdict);
     c.confidence = c.verdict["confidence"];
     c.nothingWrong =
-        c.outcome == "named"
+        c.outcome == verdictKind::named
      && std::includes
         (
             c.truth.begin(), c.truth.end(), c.names.begin(), c.names.end()

@@ -154,7 +154,7 @@ bool isOverNoise(Case c)
 
 bool isNamed(Case c)
 {
-    return c.outcome == "named";
+    return c.outcome == verdictKind::named;
 }
 
 
@@ -169,7 +169,7 @@ bool allNamed(Case c)
 bool hasTruthInSet(Case c)
 {
     return
-        c.outcome == "set" && c.truth.size()
+        c.outcome == verdictKind::set && c.truth.size()
      && statistics::contains(c.names, c.truth.front());
 }
 
@@ -184,23 +184,47 @@ bool blamesPhysics(Case c)
     return
         isNamed(c)
      || (
-            c.outcome == "set"
+            c.outcome == verdictKind::set
          && std::none_of(c.alternatives.begin(), c.alternatives.end(), blamesIt)
         );
 }
 
 
-//- Share of the misfit at held-out data that is gone [%]; none where there was no
+//- Share of the misfit at these held-out data that is gone [%]; none where there was no
 //  misfit to speak of, or nothing was named
-added gone(Case c, const json& held, const char* what)
+added gone(Case c, const json& h)
+{
+    const scalar before = h["meanSquareBefore"];
+    const scalar after = h["meanSquareAfter"];
+    return where
+    (
+        before > 2 && isInside(c) && isNamed(c), 100*(before - after)/(before - 1)
+    );
+}
+
+
+//- At the test channels of the experiment that is fitted
+added goneAtTest(Case c, const json& held)
 {
     for (const json& h : held)
     {
-        const scalar before = h["meanSquareBefore"];
-        const scalar after = h["meanSquareAfter"];
-        if (h["what"] == what && before > 2)
+        if (h["experiment"] == "" && h["use"] == purposeNames[purpose::test])
         {
-            return where(isInside(c) && isNamed(c), 100*(before - after)/(before - 1));
+            return gone(c, h);
+        }
+    }
+    return added();
+}
+
+
+//- In experiment C, which was not fitted
+added goneInC(Case c, const json& held)
+{
+    for (const json& h : held)
+    {
+        if (h["experiment"] == "C")
+        {
+            return gone(c, h);
         }
     }
     return added();
@@ -254,13 +278,13 @@ const score scores[] =
     {"size of the effect at the probes off by [%]", "<= 15", ofMedian, [](Case c)
         { return isInside(c) && allNamed(c) ? c.sizeOff : added(); }},
     {"misfit removed at test channels [%]", ">= 70", ofMedian, [](Case c)
-        { return gone(c, c.verdict["heldOut"], "test channels"); }},
+        { return goneAtTest(c, c.verdict["heldOut"]); }},
     {"the same by a Gaussian process [%]", "", ofMedian, [](Case c)
-        { return gone(c, c.proof["gaussianProcess"], "test channels"); }},
+        { return goneAtTest(c, c.proof["gaussianProcess"]); }},
     {"misfit removed in experiment C [%]", ">= 50", ofMedian, [](Case c)
-        { return gone(c, c.verdict["heldOut"], "experiment C"); }},
+        { return goneInC(c, c.verdict["heldOut"]); }},
     {"in C by a Gaussian process [%]", "", ofMedian, [](Case c)
-        { return gone(c, c.proof["gaussianProcess"], "experiment C"); }},
+        { return goneInC(c, c.proof["gaussianProcess"]); }},
     // Mean square of confidence less 1 where the verdict is right, less 0 where not
     // (Brier 1950)
     {"Brier score of the confidence", "", ofMean, [](Case c)

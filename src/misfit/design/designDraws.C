@@ -126,9 +126,10 @@ void Foam::misfit::designDraws::count(designRow& row, const std::string& answer)
 {
     std::istringstream is(answer);
     bool detected = false;
-    std::string verdict;
+    std::string name;
     scalar confidence = 0;
-    is >> detected >> verdict >> confidence;
+    is >> detected >> name >> confidence;
+    const verdictKind verdict = verdictNames[word(name)];
     bool has = false;
     for (std::string member; std::getline(is, member, ';');)
     {
@@ -140,16 +141,19 @@ void Foam::misfit::designDraws::count(designRow& row, const std::string& answer)
         }
     }
     const bool right = has && row.mechanism.size();
-    const bool blames = verdict != "none" && verdict != "unknown";
+    const bool isNone = verdict == verdictKind::none;
+    const bool isUnknown = verdict == verdictKind::unknown;
+    const bool isNamed = verdict == verdictKind::named && right;
+    const bool blames = !isNone && !isUnknown;
     ++row.draws;
     row.detected += detected;
-    row.named += verdict == "named" && right;
-    row.inSet += verdict == "set" && right;
+    row.named += isNamed;
+    row.inSet += verdict == verdictKind::set && right;
     row.wrong += blames && !right;
-    row.none += verdict == "none";
-    row.unknown += verdict == "unknown";
-    row.namedIn.push_back(verdict == "named" && right);
-    const bool isTrue = row.mechanism.empty() ? verdict == "none" : blames && right;
+    row.none += isNone;
+    row.unknown += isUnknown;
+    row.namedIn.push_back(isNamed);
+    const bool isTrue = row.mechanism.empty() ? isNone : blames && right;
     row.confidences += confidence;
     row.squares += sqr(confidence - isTrue);
 }

@@ -3,6 +3,15 @@
 
 #include "stages.H"
 
+const Foam::Enum<Foam::misfit::droppedCandidate::reason> Foam::misfit::dropReasonNames
+({
+    {droppedCandidate::reason::failedAlways, "failedAlways"},
+    {droppedCandidate::reason::failed, "failed"},
+    {droppedCandidate::reason::opposite, "opposite"},
+    {droppedCandidate::reason::small, "small"}
+});
+
+
 namespace
 {
 

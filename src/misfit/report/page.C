@@ -264,6 +264,10 @@ std::string Foam::misfit::reportHtml
     {
         addToCorrection(page["freeCorrection"], f.correction);
     }
+    page["dropped"] = each(f.candidates.dropped, [](const droppedCandidate& d) -> json
+    {
+        return {{"name", d.name}, {"why", describe(d)}};
+    });
     page["explanations"] = f.explained.all().size();
     page["scored"] = scoredFirst(f);
     page["gates"] =

@@ -12,14 +12,17 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
-//- Of the record: grows with each change of what its keys are or mean
-constexpr label schema = 8;
-
-
 //- What is at its bound has none
 json deviation(const scalar value, const bool pinned)
 {
     return pinned ? json(nullptr) : json(value);
+}
+
+
+//- Null where there is none
+json orNull(const std::string& name)
+{
+    return name.empty() ? json() : json(name);
 }
 
 
@@ -50,6 +53,19 @@ json parameters(const finding& f)
 }
 
 
+//- The channel or recorder that is blamed, and how, without the size
+json kindOfFault(const sensorFault& fault)
+{
+    return
+    {
+        {"channel", fault.channel},
+        {"experiment", fault.experiment},
+        {"kind", nameOf(fault.kind)},
+        {"partner", orNull(fault.partner)}
+    };
+}
+
+
 //- The fault that is given as the answer, with its size in SI units
 json fault(const finding& f)
 {
@@ -65,14 +81,16 @@ json fault(const finding& f)
     {
         deviations.push_back(deviation(best.deviation(i), best.pinned[i]));
     }
-    return
-    {
-        {"channel", what.fault->channel},
-        {"experiment", what.fault->experiment},
-        {"kind", kindOf(*what.fault)},
-        {"values", vec(best.x.tail(n))},
-        {"deviations", deviations}
-    };
+    json all(kindOfFault(*what.fault));
+    all["values"] = vec(best.x.tail(n));
+    all["deviations"] = deviations;
+    return all;
+}
+
+
+json mechanisms(const hypothesis& h, const wordList& library)
+{
+    return each(h.mechanisms, [&](const int m) { return library[m]; });
 }
 
 
@@ -80,16 +98,11 @@ json fault(const finding& f)
 //  other one of an exchange; null where it blames none
 json alternative(const hypothesis& h, const wordList& library)
 {
-    const auto name = [&](const int m) { return library[m]; };
-    const auto channel = [&](const std::string& channel)
-    {
-        return channel.empty() ? json() : json(channel);
-    };
     return
     {
-        {"mechanisms", each(h.mechanisms, name)},
-        {"channel", h.fault ? channel(h.fault->channel) : json()},
-        {"partner", h.fault ? channel(h.fault->partner) : json()}
+        {"mechanisms", mechanisms(h, library)},
+        {"channel", h.fault ? orNull(h.fault->channel) : json()},
+        {"partner", h.fault ? orNull(h.fault->partner) : json()}
     };
 }
 
@@ -146,13 +159,10 @@ json departureRecord(const departure& d)
 
 json match(const heldOut& h)
 {
-    return
-    {
-        {"what", describe(h)},
-        {"use", purposeNames[h.use]},
-        {"meanSquareBefore", h.squareBefore},
-        {"meanSquareAfter", h.squareAfter}
-    };
+    json all(heldOutData(h));
+    all["meanSquareBefore"] = h.squareBefore;
+    all["meanSquareAfter"] = h.squareAfter;
+    return all;
 }
 
 
@@ -223,7 +233,9 @@ json posterior(const finding& f)
         {
             all.push_back
             ({
-                {"explanation", describe(w->what, f.library)},
+                {"mechanisms", mechanisms(w->what, f.library)},
+                {"fault", w->what.fault ? kindOfFault(*w->what.fault) : json()},
+                {"unknown", w->what.unknown},
                 {"probability", w->probability}
             });
         }
@@ -255,15 +267,34 @@ json apart(const finding& f)
 }
 
 
+//- A candidate without a score. Of one that can change too little: how much it can, and
+//  the misfit, as shares of the range of a channel
+json droppedRecord(const droppedCandidate& d)
+{
+    const bool isSmall = d.why == droppedCandidate::reason::small;
+    return
+    {
+        {"name", d.name},
+        {"reason", dropReasonNames[d.why]},
+        {"failure", d.failure},
+        {"bound", isSmall ? json(d.bound) : json()},
+        {"misfit", isSmall ? json(d.misfit) : json()}
+    };
+}
+
+
 //- A gate: what it is about, its number, and whether that must be below the limit or at
 //  least as large; channels without which another explanation wins; why a run failed.
 //  Numbers are in the unit of the gate, most of them without one
 json gateNumbers(const gate& g, const finding& f)
 {
+    const bool isOfHeldOut = g.held >= 0;
+    const json data(isOfHeldOut ? heldOutData(f.tests.held[g.held]) : json());
     return
     {
         {"name", gateNames[g.kind]},
-        {"of", g.held < 0 ? string(g.experiment) : describe(f.tests.held[g.held])},
+        {"experiment", isOfHeldOut ? data["experiment"] : json(g.experiment)},
+        {"channels", isOfHeldOut ? data["channels"] : json::array()},
         {"value", g.value},
         {"limit", g.limit},
         {"bound", mustBeBelow(g.kind) ? "below" : "atLeast"},
@@ -276,13 +307,20 @@ json gateNumbers(const gate& g, const finding& f)
 } // End anonymous namespace
 
 
+Foam::misfit::json Foam::misfit::heldOutData(const heldOut& h)
+{
+    return
+    {
+        {"experiment", h.isHere() ? word() : h.experiment},
+        {"use", purposeNames[h.use]},
+        {"channels", each(h.data.segments, [](const segment& s) { return s.name; })}
+    };
+}
+
+
 Foam::misfit::json
 Foam::misfit::recordOf(const finding& f, const string& title)
 {
-    const auto why = [](const droppedCandidate& d) -> json
-    {
-        return {{"name", d.name}, {"why", describe(d)}};
-    };
     const auto where = [&f](const place& p) { return located(p, f.detection.data); };
     const auto members = [&f](const hypothesisFit& w)
     {
@@ -291,7 +329,7 @@ Foam::misfit::recordOf(const finding& f, const string& title)
     const auto numbers = [&f](const gate& g) { return gateNumbers(g, f); };
     return
     {
-        {"schema", schema},
+        {"schema", recordSchema},
         {"case", title},
         {"verdict", verdictNames[f.verdict.kind]},
         {"names", answerOf(f)},
@@ -310,11 +348,11 @@ Foam::misfit::recordOf(const finding& f, const string& title)
         {"heldOut", each(f.held(), &match)},
         {"freeCorrection", f.correction.isRequested ? freeCorrection(f.correction) : json()},
         {"posterior", posterior(f)},
-        {"dropped", each(f.candidates.dropped, why)},
+        {"dropped", each(f.candidates.dropped, &droppedRecord)},
         {"failedRuns", each(f.failedRuns, [](const auto& run) { return describe(run); })},
         {"correctedCase", f.verdict.state ? json(correctedCase) : json()},
         {"apart", apart(f)},
         {"advice", adviceOf(f)},
-        {"statesAskedFor", f.nRuns}
+        {"statesRequested", f.nRuns}
     };
 }

@@ -181,12 +181,11 @@ Foam::string Foam::misfit::describe(const heldOut& h)
 
 Foam::string Foam::misfit::describe(const droppedCandidate& d)
 {
-    const char* const reasons[] = {"failedAlways", "failed", "opposite", "small"};
     return renderTemplate
     (
         "dropped",
         {
-            {reasons[int(d.why)], true},
+            {dropReasonNames[d.why], true},
             {"failure", d.failure},
             {"bound", ratioWords(100*d.bound)},
             {"misfit", ratioWords(100*d.misfit)}

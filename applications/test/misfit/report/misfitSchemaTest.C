@@ -61,16 +61,22 @@ nlohmann::json named()
 
 
 //- The words of an enumeration, in the schema and in the program
+template<class Words>
+void expectWords(const nlohmann::json& inSchema, const Words& words)
+{
+    const nlohmann::json& all = inSchema["enum"];
+    EXPECT_EQ(all.size(), size_t(words.size()));
+    for (const std::string& name : words)
+    {
+        EXPECT_NE(std::find(all.begin(), all.end(), name), all.end()) << name;
+    }
+}
+
+
 template<class Enumeration>
 void expectSameWords(const nlohmann::json& inSchema, const Enumeration& names)
 {
-    const nlohmann::json& all = inSchema["enum"];
-    const wordList words(names.names());
-    EXPECT_EQ(label(all.size()), words.size());
-    for (const word& name : words)
-    {
-        EXPECT_NE(std::find(all.begin(), all.end(), std::string(name)), all.end()) << name;
-    }
+    expectWords(inSchema, wordList(names.names()));
 }
 
 
@@ -153,7 +159,7 @@ TEST(misfitSchema, aWrongRecordIsRefused)
     expectRefused(wrong, "verdict");
 
     wrong = right;
-    wrong["schema"] = 5;
+    wrong["schema"] = recordSchema - 1;
     expectRefused(wrong, "schema");
 
     wrong = right;
@@ -191,13 +197,13 @@ TEST(misfitSchema, aWrongRecordIsRefused)
     wrong = right;
     wrong["fault"] =
     {
-        {"channel", "P1"}, {"experiment", ""}, {"kind", "gain"}, {"values", {0.2}},
-        {"deviations", {0.1}}
+        {"channel", "P1"}, {"experiment", ""}, {"kind", "gain"},
+        {"partner", nullptr}, {"values", {0.2}}, {"deviations", {0.1}}
     };
     expectRefused(wrong, "conditional");
     wrong["verdict"] = "sensor";
     EXPECT_EQ(schemaErrors(ofVerdict, wrong), "");
-    wrong["fault"]["kind"] = "swapped";
+    wrong["fault"]["kind"] = "swapped with P2";
     EXPECT_NE(schemaErrors(ofVerdict, wrong), "");
 }
 
@@ -214,12 +220,8 @@ TEST(misfitSchema, itHasTheWordsThatTheProgramHas)
     {
         EXPECT_TRUE(grounds.contains(name)) << name;
     }
-    const std::string kinds
-    (
-        s["definitions"]["fault"]["properties"]["kind"]["pattern"].get<std::string>()
-    );
-    for (const std::string& name : statistics::faultNames())
-    {
-        EXPECT_NE(kinds.find(name), std::string::npos) << name;
-    }
+    const nlohmann::json& dropped = s["properties"]["dropped"]["items"]["properties"];
+    expectSameWords(dropped["reason"], dropReasonNames);
+    expectWords(s["definitions"]["faultKind"], statistics::faultNames());
+    EXPECT_EQ(s["properties"]["schema"]["const"], recordSchema);
 }

@@ -48,7 +48,8 @@ TEST(misfitRecord, theRecordIsOfItsSchemaAndReadsBackAsItWasFound)
     EXPECT_EQ(j["strengths"][0]["name"], f.verdict.strengths[0].name);
     EXPECT_EQ(j["strengths"][0]["value"], f.verdict.strengths[0].value);
     EXPECT_EQ(j["detection"]["p"], f.detection.calibrated.p);
-    EXPECT_EQ(j["heldOut"][0]["what"], describe(f.tests.held[0]));
+    EXPECT_EQ(j["heldOut"][0]["experiment"], "");
+    EXPECT_EQ(j["heldOut"][0]["channels"][0], f.tests.held[0].data.segments[0].name);
     EXPECT_EQ(j["heldOut"][0]["use"], purposeNames[f.tests.held[0].use]);
     EXPECT_EQ(j["heldOut"][0]["meanSquareBefore"], f.tests.held[0].squareBefore);
 }
@@ -69,6 +70,79 @@ TEST(misfitRecord, theRecordOfASetHasTheMembersOfEach)
     EXPECT_TRUE(all[1]["mechanisms"].empty());
     EXPECT_EQ(all[1]["channel"], "P1");
     EXPECT_TRUE(all[1]["partner"].is_null());
+}
+
+
+TEST(misfitRecord, anExplanationHasItsMechanismsItsFaultAndWhetherMoreIsUnknown)
+{
+    finding f(found());
+    hypothesisFit both(mechanisms({0, 1}));
+    both.what.unknown = true;
+    both.score = -1e6;
+    both.probability = 0.75;
+    hypothesisFit exchange;
+    exchange.what.fault =
+        possibleFaults(f.detection.data, {faultKind::swapped}).front();
+    exchange.score = -1e5;
+    exchange.probability = 0.25;
+    f.explained.all().push_back(both);
+    f.explained.all().push_back(exchange);
+    const auto all = nlohmann::json::parse(verdictJson(f, "case"))["posterior"];
+    EXPECT_EQ(all[0]["mechanisms"], nlohmann::json({"porePressure", "walls"}));
+    EXPECT_TRUE(all[0]["fault"].is_null());
+    EXPECT_EQ(all[0]["unknown"], true);
+    EXPECT_EQ(all[0]["probability"], 0.75);
+    EXPECT_TRUE(all[1]["mechanisms"].empty());
+    EXPECT_EQ(all[1]["fault"]["channel"], "P1");
+    EXPECT_EQ(all[1]["fault"]["kind"], "swapped");
+    EXPECT_EQ(all[1]["fault"]["partner"], "P2");
+    EXPECT_EQ(all[1]["unknown"], false);
+}
+
+
+TEST(misfitRecord, aDroppedCandidateHasItsReasonWithTheNumbersOfIt)
+{
+    using reason = droppedCandidate::reason;
+    finding f(found());
+    f.candidates.dropped =
+    {
+        {"gate", reason::small, "", 0.1, 0.4},
+        {"lift", reason::failed, "floating point exception", 0.2, 0.4}
+    };
+    const auto all = nlohmann::json::parse(verdictJson(f, "case"))["dropped"];
+    EXPECT_EQ(all[0]["name"], "gate");
+    EXPECT_EQ(all[0]["reason"], "small");
+    EXPECT_EQ(all[0]["bound"], 0.1);
+    EXPECT_EQ(all[0]["misfit"], 0.4);
+    EXPECT_EQ(all[0]["failure"], "");
+    EXPECT_EQ(all[1]["reason"], "failed");
+    EXPECT_EQ(all[1]["failure"], "floating point exception");
+    EXPECT_TRUE(all[1]["bound"].is_null());
+    EXPECT_TRUE(all[1]["misfit"].is_null());
+}
+
+
+TEST(misfitRecord, aGateOfAnotherExperimentNamesItAndItsChannels)
+{
+    finding f(found());
+    f.tests.held[0].what = heldOut::part::experiment;
+    f.tests.held[0].experiment = "B";
+    gate ofHeld(gateKind::transfer, 0.5, 1);
+    ofHeld.held = 0;
+    gate failing(gateKind::computed, 0, 1);
+    failing.experiment = "C";
+    f.tests.gates = gateList();
+    f.tests.gates.add(gate(gateKind::detection, 0.001, 0.01));
+    f.tests.gates.add(ofHeld);
+    f.tests.gates.add(failing);
+    const auto j = nlohmann::json::parse(verdictJson(f, "case"));
+    EXPECT_EQ(j["heldOut"][0]["experiment"], "B");
+    EXPECT_EQ(j["gates"][0]["experiment"], "");
+    EXPECT_TRUE(j["gates"][0]["channels"].empty());
+    EXPECT_EQ(j["gates"][1]["experiment"], "B");
+    EXPECT_EQ(j["gates"][1]["channels"], j["heldOut"][0]["channels"]);
+    EXPECT_EQ(j["gates"][2]["experiment"], "C");
+    EXPECT_TRUE(j["gates"][2]["channels"].empty());
 }
 
 
