@@ -108,7 +108,7 @@ int main(int argc, char *argv[])
         );
         if (coupling.due())
         {
-            coupling.setParticleForces(U);
+            coupling.setGrainForces(U);
         }
 
         output.endStep();

@@ -134,7 +134,7 @@ TEST(demCoupling, givesGrainsTheOppositeOfWhatTheFluidGets)
         water.U, water.rho, none, water.U, vectorField(), interval
     );
     EXPECT_TRUE(coupling.due());
-    coupling.setParticleForces(water.U);
+    coupling.setGrainForces(water.U);
 
     EXPECT_LT(coupling.forces().residual(), 1e-12);
     EXPECT_EQ(coupling.forces().force().size(), 4);

@@ -43,7 +43,7 @@ struct cubeOfGrains
         solids.update();
     }
 
-    const particleMeshMapping& mapping() const
+    const grainMeshMapping& mapping() const
     {
         return solids.mapping();
     }
@@ -251,7 +251,7 @@ TEST(grainForces, areNoneInAnyCellWhereGrainsMoveWithTheFluidAroundThem)
         fluid.rho[cell] = 1000 + 100*at[cell].x();
     }
 
-    const particleMeshMapping& mapping = solids.mapping();
+    const grainMeshMapping& mapping = solids.mapping();
     const vectorField momentum
     (
         mapping.gather(vectorField(fluid.rho*fluid.U))

@@ -50,7 +50,7 @@ void Foam::warnOfSlowGrains
         return;
     }
 
-    const particleMeshMapping& mapping = solids.mapping();
+    const grainMeshMapping& mapping = solids.mapping();
     const scalarField& solidFraction = solids.solidFraction();
     const scalarField& V = exchange.mesh().V();
     scalar most = 0;

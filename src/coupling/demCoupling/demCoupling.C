@@ -336,9 +336,9 @@ void Foam::demCoupling::addFluidStep
 }
 
 
-void Foam::demCoupling::setParticleForces(const vectorField& U)
+void Foam::demCoupling::setGrainForces(const vectorField& U)
 {
-    const stageTimes::stage stage(times_, "setParticleForces");
+    const stageTimes::stage stage(times_, "setGrainForces");
 
     const scalar elapsed = clock_->elapsed();
     const fluidMeans means

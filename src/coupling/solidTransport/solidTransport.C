@@ -65,7 +65,7 @@ Foam::solidTransport::solidTransport(const fvMesh& mesh, const granularPhase& ph
 void Foam::solidTransport::update
 (
     const grainExchange& exchange,
-    const particleMeshMapping& mapping
+    const grainMeshMapping& mapping
 )
 {
     const List<locatedGrain>& grains = exchange.grains();

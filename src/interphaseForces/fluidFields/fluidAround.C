@@ -3,7 +3,7 @@
 
 #include "fluidAround.H"
 #include "forceModels.H"
-#include "particleMeshMapping.H"
+#include "grainMeshMapping.H"
 
 namespace
 {
@@ -13,7 +13,7 @@ using namespace Foam;
 //- For grains of a size class
 List<fluidAtGrain> fluidAroundClass
 (
-    const particleMeshMapping& mapping,
+    const grainMeshMapping& mapping,
     const fluidFields& fluid,
     const label sizeClass
 )
@@ -61,7 +61,7 @@ List<fluidAtGrain> fluidAroundClass
 //- For grains of a size class
 List<meanAtGrain> meansAroundClass
 (
-    const particleMeshMapping& mapping,
+    const grainMeshMapping& mapping,
     const fluidMeans& means,
     const scalarField& rho,
     const label sizeClass
@@ -98,7 +98,7 @@ List<meanAtGrain> meansAroundClass
 
 Foam::List<Foam::List<Foam::fluidAtGrain>> Foam::fluidAround
 (
-    const particleMeshMapping& mapping,
+    const grainMeshMapping& mapping,
     const fluidFields& fluid
 )
 {
@@ -115,7 +115,7 @@ Foam::List<Foam::List<Foam::fluidAtGrain>> Foam::fluidAround
 
 Foam::List<Foam::List<Foam::meanAtGrain>> Foam::meansAround
 (
-    const particleMeshMapping& mapping,
+    const grainMeshMapping& mapping,
     const fluidMeans& means,
     const scalarField& rho
 )
@@ -133,7 +133,7 @@ Foam::List<Foam::List<Foam::meanAtGrain>> Foam::meansAround
 
 Foam::List<Foam::List<Foam::flowAtGrain>> Foam::flowAround
 (
-    const particleMeshMapping& mapping,
+    const grainMeshMapping& mapping,
     const forceModels& laws,
     const scalarField& rho,
     const vectorField& acceleration,

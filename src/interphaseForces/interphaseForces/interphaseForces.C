@@ -31,7 +31,7 @@ void Foam::interphaseForces::prepare
     const scalar interval
 )
 {
-    const particleMeshMapping& mapping = solids_.mapping();
+    const grainMeshMapping& mapping = solids_.mapping();
     const List<List<givenByGrain>> sums(grains_.prepare(fluid, interval));
     const auto perVolume = [&](const auto member, const smoothingModel& smoothing)
     {

@@ -183,7 +183,7 @@ void expectSpread()
     {
         u[cell] = std::cos(test.mesh().C()[cell] & vector(13, 29, 17));
     }
-    const particleMeshMapping& mapping = p.mapping();
+    const grainMeshMapping& mapping = p.mapping();
     const auto onGrains = [&](const scalarField& cells)
     {
         return gSum(scalarField(mapping.volumes()*mapping.gather(cells)));

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The way of numbers between grains and cells.
 
-#include "particleMeshMapping.H"
+#include "grainMeshMapping.H"
 
 #include "Switch.H"
 #include "noSmoothing.H"
 
-Foam::particleMeshMapping::particleMeshMapping
+Foam::grainMeshMapping::grainMeshMapping
 (
     const grainExchange& exchange,
     const dictionary& dict
@@ -27,7 +27,7 @@ Foam::particleMeshMapping::particleMeshMapping
 }
 
 
-void Foam::particleMeshMapping::set(const sizes& all, const bool keepClasses)
+void Foam::grainMeshMapping::set(const sizes& all, const bool keepClasses)
 {
     scalarList volumes(nOctaves);
     scalarList diameters(nOctaves);
@@ -70,13 +70,13 @@ void Foam::particleMeshMapping::set(const sizes& all, const bool keepClasses)
 }
 
 
-void Foam::particleMeshMapping::setWater(const scalarField& water)
+void Foam::grainMeshMapping::setWater(const scalarField& water)
 {
     ofVolume_->setWater(water);
 }
 
 
-Foam::scalarField Foam::particleMeshMapping::sauterDiameter() const
+Foam::scalarField Foam::grainMeshMapping::sauterDiameter() const
 {
     const List<locatedGrain>& grains = exchange_.grains();
     scalarField areas(grains.size());
