@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Unit tests: a void fraction that goes with the mean velocity of the grains.
+// Unit tests: a void fraction that moves with the mean velocity of the grains.
 
 #include "boxOfWater.H"
 #include "testNumber.H"

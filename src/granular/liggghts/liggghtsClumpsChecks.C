@@ -14,7 +14,7 @@
 
 void Foam::liggghtsClumps::checkRoom() const
 {
-    // LIGGGHTS tells images and ranks of a clump apart by the nearest one
+    // LIGGGHTS distinguishes images and ranks of a clump by the nearest one
     const LAMMPS_NS::Domain& domain = *liggghts_->domain;
     const scalar size = 2*fix_->max_r_bound();
 

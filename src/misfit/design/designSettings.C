@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the design of an experiment is asked for.
+// Settings of the design of an experiment.
 
 #include "designSettings.H"
 #include "keywords.H"

@@ -105,7 +105,7 @@ struct groupFunctions
 
 
     //- Functions that distinguish the elements of the family
-    labelList telling(const bool drag) const
+    labelList informative(const bool drag) const
     {
         // Rows of its family only: elsewhere all functions are zero
         std::vector<int> own;
@@ -177,21 +177,21 @@ Foam::List<Foam::misfit::dimensionlessLaw> Foam::misfit::lawsOf
 
     // A factor on the drag always has its constant
     const bool drag = family == "drag";
-    const labelList telling(all.telling(drag));
+    const labelList informative(all.informative(drag));
     List<labelList> sets;
     if (drag)
     {
         sets.append(labelList({0}));
     }
-    forAll(telling, i)
+    forAll(informative, i)
     {
         labelList one(drag ? labelList({0}) : labelList());
-        one.append(telling[i]);
+        one.append(informative[i]);
         sets.append(one);
-        for (label j = i + 1; j < telling.size(); ++j)
+        for (label j = i + 1; j < informative.size(); ++j)
         {
             labelList two(one);
-            two.append(telling[j]);
+            two.append(informative[j]);
             sets.append(two);
         }
     }

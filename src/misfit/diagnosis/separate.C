@@ -101,7 +101,7 @@ Foam::misfit::advice Foam::misfit::measurementBetween
             result.at = channel.x[i];
         }
     }
-    if (result.times > s.set.tellingApart)
+    if (result.times > s.set.separation)
     {
         result.what = advice::kind::measure;
     }

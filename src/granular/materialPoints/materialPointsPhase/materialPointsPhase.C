@@ -68,7 +68,7 @@ scalar readTimeStep(const dictionary& dict, const scalar stable)
 
 
 //- Points, mass and extent of each body into the log
-void tellBodies(const materialPointMethod& method)
+void printBodies(const materialPointMethod& method)
 {
     const pointSet& points = method.points();
     forAll(method.bodies(), body)
@@ -100,7 +100,7 @@ void tellBodies(const materialPointMethod& method)
 
 
 //- Into the log; a warning where a run takes very many
-void tellSteps(const materialPointsPhase& phase, const Time& time)
+void printSteps(const materialPointsPhase& phase, const Time& time)
 {
     // At rest: a flow takes more
     const scalar stable = phase.method().restStep();
@@ -215,8 +215,8 @@ Foam::materialPointsPhase::materialPointsPhase
     closeGate();
     refresh();
 
-    tellBodies(method_);
-    tellSteps(*this, mesh.time());
+    printBodies(method_);
+    printSteps(*this, mesh.time());
 }
 
 

@@ -181,7 +181,7 @@ void Foam::materialPointsPhase::readGate(std::istream& numbers)
      && numbers >> normal.x() >> normal.y() >> normal.z()
     )
     {
-        // Of a gate in another place the side is found anew
+        // Of a gate in another place the side is found again
         const bool same =
             mag(p - gate_.onPlane()) < 1e-9*(1 + mag(p))
          && mag(normal - gate_.normal()) < 1e-9;
