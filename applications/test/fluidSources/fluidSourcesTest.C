@@ -129,6 +129,63 @@ struct halfFull
     }
 };
 
+
+//- The half filled box with a base of conductance 2e-6 m/(Pa s) and 100 Pa below it
+class permeableBase
+{
+    halfFull w_;
+
+    volVectorField U_;
+
+    static constexpr label patch_ = 4;
+
+public:
+
+    permeableBase()
+    :
+        U_
+        (
+            IOobject("U", "0", w_.box.mesh()),
+            w_.box.mesh(),
+            dimensionedVector(dimVelocity, Zero)
+        )
+    {
+        const fileName constant(w_.box.time().constantPath());
+        mkDir(constant);
+        std::ofstream(constant/"g")
+            << "FoamFile { version 2.0; format ascii;"
+            " class uniformDimensionedVectorField; object g; }\n"
+            "dimensions [0 1 -2 0 0 0 0]; value (0 0 -9.81);\n";
+    }
+
+    //- Its condition, with entries more
+    permeableWallFvPatchVectorField wall(const string& more = "") const
+    {
+        return permeableWallFvPatchVectorField
+        (
+            U_.mesh().boundary()[patch_],
+            U_.internalField(),
+            entries
+            (
+                "type permeableWall; conductance 2e-6; outside 100;"
+                " value uniform (0 0 0);" + more
+            )
+        );
+    }
+
+    //- Sixty steps with that pressure in the water at it [Pa]
+    void settle(permeableWallFvPatchVectorField& wall, const scalar pressure)
+    {
+        w_.p->boundaryFieldRef()[patch_] == pressure;
+        for (label i = 0; i < 60; ++i)
+        {
+            ++w_.box.time();
+            wall.updateCoeffs();
+            wall.evaluate();
+        }
+    }
+};
+
 } // End anonymous namespace
 
 
@@ -298,68 +355,29 @@ TEST(sideWallFriction, slowsAFlowAsItsLawsIntegrated)
 
 TEST(permeableWall, letsOutWhatThePressureDrives)
 {
-    halfFull w;
-    const fvMesh& mesh = w.box.mesh();
-    mkDir(mesh.time().constantPath());
-    std::ofstream(mesh.time().constantPath()/"g")
-        << "FoamFile { version 2.0; format ascii;"
-        " class uniformDimensionedVectorField; object g; }\n"
-        "dimensions [0 1 -2 0 0 0 0]; value (0 0 -9.81);\n";
-    const label base = 4;
-    const string settings
-    (
-        "type permeableWall; conductance 2e-6; outside 100;"
-        " value uniform (0 0 0);"
-    );
-    volVectorField U
-    (
-        IOobject("U", "0", mesh), mesh, dimensionedVector(dimVelocity, Zero)
-    );
-    permeableWallFvPatchVectorField wall
-    (
-        mesh.boundary()[base], U.internalField(), entries(settings)
-    );
+    permeableBase base;
+    permeableWallFvPatchVectorField wall(base.wall());
 
     // Superficial 2e-6 (600 - 100), between the grains more
-    w.p->boundaryFieldRef()[base] == 600;
-    for (label i = 0; i < 60; ++i)
-    {
-        ++w.box.time();
-        wall.updateCoeffs();
-        wall.evaluate();
-    }
-    const vectorField n(mesh.boundary()[base].nf());
+    base.settle(wall, 600);
+    const vectorField n(wall.patch().nf());
     for (const scalar out : scalarField(wall & n))
     {
         EXPECT_NEAR(out, 1e-3/0.8, 1e-12);
     }
 
     // Nothing comes in
-    w.p->boundaryFieldRef()[base] == 50;
-    for (label i = 0; i < 60; ++i)
-    {
-        ++w.box.time();
-        wall.updateCoeffs();
-        wall.evaluate();
-    }
+    base.settle(wall, 50);
     EXPECT_LT(max(mag(wall)), 1e-12);
+}
 
-    const permeableWallFvPatchVectorField tight
-    (
-        mesh.boundary()[base], U.internalField(),
-        entries(settings + "strength 0;")
-    );
-    EXPECT_EQ(tight.outflow(1e5), 0);
 
-    EXPECT_THROW
-    (
-        permeableWallFvPatchVectorField
-        (
-            mesh.boundary()[base], U.internalField(),
-            entries(settings + "strenght 0;")
-        ),
-        Foam::error
-    );
+TEST(permeableWall, isTightWithoutStrengthAndRefusesAnUnknownKeyword)
+{
+    const permeableBase base;
+    EXPECT_EQ(base.wall("strength 0;").outflow(1e5), 0);
+    EXPECT_GT(base.wall("strength 1;").outflow(1e5), 0);
+    EXPECT_THROW(base.wall("strenght 0;"), Foam::error);
 }
 
 

@@ -11,6 +11,68 @@
 
 using namespace Foam;
 
+namespace
+{
+
+//- The tank with the pressure of water at rest up to z = 1/2, in cells of 1/4 m
+class tankAtRest
+:
+    public tank
+{
+protected:
+
+    static scalar pressure(const point& at)
+    {
+        return 1000*9.81*max(0.5 - at.z(), scalar(0));
+    }
+
+    void SetUp() override
+    {
+        forAll(p_, cell)
+        {
+            p_[cell] = pressure(box_.mesh().C()[cell]);
+        }
+        forAll(p_.boundaryField(), patch)
+        {
+            const vectorField& at = box_.mesh().Cf().boundaryField()[patch];
+            forAll(at, face)
+            {
+                p_.boundaryFieldRef()[patch][face] = pressure(at[face]);
+            }
+        }
+    }
+
+    //- A place on a wall of the unit cube
+    static point onWall(const word& wall, const scalar across, const scalar z)
+    {
+        const scalar end = wall.substr(1) == "Max";
+        return wall[0] == 'x' ? point(end, across, z) : point(across, end, z);
+    }
+
+    //- The line of a probe there, with a level of its water
+    scalarList probed(const word& wall, const point& at, const word& level)
+    {
+        std::ostringstream place;
+        place << at.x() << ' ' << at.y() << ' ' << at.z();
+        const word name(wall + level + string(place.str()).replaceAll(" ", "_"));
+        functionObjects::porePressureProbes probes
+        (
+            name,
+            box_.time(),
+            dict
+            (
+                "probes ((" + place.str() + ")); patch " + wall + "; radius 0.2;"
+                " writePrecision 12; hydrostatic " + level + ";"
+            )
+        );
+        probes.execute();
+        probes.write();
+        return lastLine(name, "porePressureProbes");
+    }
+};
+
+} // End anonymous namespace
+
 
 TEST_F(tank, waterAtRestHasNoExcessPressure)
 {
@@ -89,72 +151,27 @@ TEST_F(tank, aLineOfProbesMayBeTheMeanOfItsSamples)
 }
 
 
-TEST_F(tank, waterAtRestHasNoExcessPressureOnAnyWall)
+TEST_F(tankAtRest, hasNoExcessPressureOnAnyWall)
 {
-    // Pressure of water at rest up to z = 1/2, in cells of 1/4 m
-    const auto atRest = [](const point& at)
+    for (const word wall : {"xMin", "xMax", "yMin", "yMax"})
     {
-        return 1000*9.81*max(0.5 - at.z(), scalar(0));
-    };
-    forAll(p_, cell)
-    {
-        p_[cell] = atRest(box_.mesh().C()[cell]);
-    }
-    forAll(p_.boundaryField(), patch)
-    {
-        const vectorField& at = box_.mesh().Cf().boundaryField()[patch];
-        forAll(at, face)
-        {
-            p_.boundaryFieldRef()[patch][face] = atRest(at[face]);
-        }
-    }
-
-    for (const char* wall : {"xMin", "xMax", "yMin", "yMax"})
-    {
-        const bool alongX = wall[0] == 'x';
-        const bool far = string(wall + 1) == "Max";
-
         // Amid a face, off its middle, on the edge of two and the corner of four
         for (const scalar z : {0.375, 0.3, 0.25})
         for (const scalar across : {0.375, 0.43, 0.5})
         {
-            const point at
-            (
-                alongX ? scalar(far) : across, alongX ? across : scalar(far), z
-            );
-            const auto look = [&](const word& level)
-            {
-                const word name
-                (
-                    word(wall) + level + Foam::name(label(1000*z))
-                  + Foam::name(label(1000*across))
-                );
-                std::ostringstream entries;
-                entries << "probes ((" << at.x() << ' ' << at.y() << ' ' << at.z()
-                    << ")); patch " << wall << "; radius 0.2; writePrecision"
-                    << " 12; hydrostatic " << level << ";";
-                functionObjects::porePressureProbes probes
-                (
-                    name, box_.time(), dict(entries.str())
-                );
-                probes.execute();
-                probes.write();
-                return lastLine(name, "porePressureProbes");
-            };
-
+            const point at(onWall(wall, across, z));
             const std::string place
             (
-                std::string(wall) + " at height " + Foam::name(z) + ", "
-              + Foam::name(across)
+                wall + " at height " + Foam::name(z) + ", " + Foam::name(across)
             );
-            const scalarList upwards(look("vertical"));
+            const scalarList upwards(probed(wall, at, "vertical"));
             ASSERT_EQ(upwards.size(), 7);
-            EXPECT_NEAR(upwards[1], atRest(at), 1e-6) << place;
+            EXPECT_NEAR(upwards[1], pressure(at), 1e-6) << place;
             EXPECT_NEAR(upwards[3], 0, 1e-6) << place;
             EXPECT_NEAR(upwards[4], 0.5 - z, 1e-9) << place;
 
             // Through the whole tank, once
-            EXPECT_NEAR(look("normal")[4], 1, 1e-9) << place;
+            EXPECT_NEAR(probed(wall, at, "normal")[4], 1, 1e-9) << place;
         }
     }
 }

@@ -14,18 +14,9 @@ using namespace Foam;
 namespace
 {
 
-//- Force of the viscous stress on grains where U = a (z^2, 0, 0), nothing else
-//  acting; strength is that in the dictionary
-vectorField viscousForces
-(
-    testMesh& box,
-    const pointField& places,
-    const scalar d,
-    const scalar a,
-    const word& strength
-)
+//- Divergence of the viscous stress where U = a (z^2, 0, 0) [N/m3]
+vectorField viscousStress(const fvMesh& mesh, const scalar a)
 {
-    const fvMesh& mesh = box.mesh();
     volVectorField U
     (
         IOobject("U", "0", mesh),
@@ -50,7 +41,22 @@ vectorField viscousForces
           & fvc::interpolate(mu*dev2(T(fvc::grad(U))))
         )
     );
+    return stress.primitiveField();
+}
 
+
+//- Force of the viscous stress on grains where U = a (z^2, 0, 0), nothing else
+//  acting; strength is that in the dictionary
+vectorField viscousForces
+(
+    testMesh& box,
+    const pointField& places,
+    const scalar d,
+    const scalar a,
+    const word& strength
+)
+{
+    const fvMesh& mesh = box.mesh();
     standingGrains phase(mesh);
     put(phase, places, d);
     grainExchange exchange(mesh);
@@ -76,7 +82,7 @@ vectorField viscousForces
     );
 
     fluidFields fluid(water(mesh.nCells()));
-    fluid.viscousForce = stress.primitiveField();
+    fluid.viscousForce = viscousStress(mesh, a);
     forces.prepare(fluid, interval);
 
     const vectorField none(mesh.nCells(), Zero);

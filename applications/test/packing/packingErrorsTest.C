@@ -39,99 +39,72 @@ std::string complaint
       : ::testing::AssertionFailure() << '"' << text << "\" lacks " << words;
 }
 
+
+//- Making such a packing ends with an error that has these words
+void expectComplaint(const std::string& entries, const char* words)
+{
+    EXPECT_TRUE(contains(complaint(entries), words));
+}
+
+
+//- Entries of a dense packing in a box, without its grains
+const std::string box = "type dense; box (0 0 0) (0.3 0.3 0.3); ";
+
+const std::string grain = "diameter 0.03; ";
+
 } // End anonymous namespace
 
 
-TEST(packing, saysWhatIsWrong)
+TEST(packing, saysWhichTypesThereAre)
 {
-    const std::string box = "type dense; box (0 0 0) (0.3 0.3 0.3); ";
-    const std::string grain = "diameter 0.03; ";
+    expectComplaint("type heap; " + grain, "dense");
+    expectComplaint("type heap; " + grain, "settled");
+}
 
-    EXPECT_TRUE(contains(complaint("type heap; " + grain), "dense"));
-    EXPECT_TRUE(contains(complaint("type heap; " + grain), "settled"));
-    EXPECT_TRUE
+
+TEST(packing, saysWhichAmountIsWrong)
+{
+    expectComplaint(box + grain + "solidFraction 0.7;", "out of range");
+    expectComplaint(box + "diameter 0.4; solidFraction 0.5;", "too small");
+    expectComplaint
     (
-        contains(complaint(box + grain + "solidFraction 0.7;"), "out of range")
+        box + grain + "solidFraction 0.5; mass 90; fluidDensity 1000;", "contradict"
     );
-    EXPECT_TRUE
+    expectComplaint
     (
-        contains(complaint(box + "diameter 0.4; solidFraction 0.5;"), "too small")
+        "type dense; box (0 0 0) (300 300 300); diameter 0.003; solidFraction 0.5;",
+        "in metres"
     );
-    EXPECT_TRUE
+    expectComplaint(box + grain, "Too little");
+    expectComplaint(box + "diameters ((0.03 0.5) (0.02 0.4)); ", "sum to 1");
+}
+
+
+TEST(packing, saysWhichKeywordIsWrong)
+{
+    expectComplaint
     (
-        contains
-        (
-            complaint
-            (
-                box + grain
-              + "solidFraction 0.5; mass 90; fluidDensity 1000;"
-            ),
-            "contradict"
-        )
+        box + grain + "solidFraction 0.5; periodc (y);", "Unknown keyword periodc"
     );
-    EXPECT_TRUE
+    expectComplaint(box + grain + "solidFraction 0.5; periodic (w);", "x, y and z");
+
+    const std::string settled
     (
-        contains
-        (
-            complaint
-            (
-                "type dense; box (0 0 0) (300 300 300); diameter 0.003;"
-                " solidFraction 0.5;"
-            ),
-            "in metres"
-        )
+        "type settled; box (0 0 0) (0.6 0.1 0.05); diameter 0.01; "
     );
-    EXPECT_TRUE(contains(complaint(box + grain), "Too little"));
-    EXPECT_TRUE
+    const std::string contact
     (
-        contains
-        (
-            complaint(box + grain + "solidFraction 0.5; periodc (y);"),
-            "Unknown keyword periodc"
-        )
+        "youngsModulus 5e6; poissonsRatio 0.3; restitution 0.4; friction 0.7; "
     );
-    EXPECT_TRUE
+    expectComplaint
     (
-        contains
-        (
-            complaint
-            (
-                "type settled; box (0 0 0) (0.6 0.1 0.05); diameter 0.01;"
-                " soldFraction 0.5; contact { youngsModulus 5e6;"
-                " poissonsRatio 0.3; restitution 0.4; friction 0.7;"
-                " rollingFriction 0.1; }"
-            ),
-            "Unknown keyword soldFraction"
-        )
+        settled + "soldFraction 0.5; contact { " + contact + "rollingFriction 0.1; }",
+        "Unknown keyword soldFraction"
     );
-    EXPECT_TRUE
+    expectComplaint
     (
-        contains
-        (
-            complaint
-            (
-                "type settled; box (0 0 0) (0.6 0.1 0.05); diameter 0.01;"
-                " contact { youngsModulus 5e6; poissonsRatio 0.3;"
-                " restitution 0.4; friction 0.7; rolingFriction 0.1; }"
-            ),
-            "Unknown keyword rolingFriction"
-        )
-    );
-    EXPECT_TRUE
-    (
-        contains
-        (
-            complaint(box + grain + "solidFraction 0.5; periodic (w);"),
-            "x, y and z"
-        )
-    );
-    EXPECT_TRUE
-    (
-        contains
-        (
-            complaint(box + "diameters ((0.03 0.5) (0.02 0.4)); "),
-            "sum to 1"
-        )
+        settled + "contact { " + contact + "rolingFriction 0.1; }",
+        "Unknown keyword rolingFriction"
     );
 }
 

@@ -255,6 +255,25 @@ Foam::dictionary Foam::testMesh::cutEntry
 }
 
 
+void Foam::testMesh::addPatches
+(
+    const wordList& names,
+    const PtrList<dictionary>& entries
+)
+{
+    PtrList<polyPatch> patches(names.size());
+    forAll(names, i)
+    {
+        patches.set
+        (
+            i,
+            polyPatch::New(names[i], entries[i], i, mesh_->boundaryMesh())
+        );
+    }
+    mesh_->addFvPatches(patches);
+}
+
+
 void Foam::testMesh::makeMesh()
 {
     DynamicList<face> faces;
@@ -313,16 +332,7 @@ void Foam::testMesh::makeMesh()
         )
     );
 
-    PtrList<polyPatch> patches(names.size());
-    forAll(names, i)
-    {
-        patches.set
-        (
-            i,
-            polyPatch::New(names[i], entries[i], i, mesh_->boundaryMesh())
-        );
-    }
-    mesh_->addFvPatches(patches);
+    addPatches(names, entries);
 }
 
 

@@ -246,6 +246,19 @@ void warnOfWaterBeside(const fvMesh& mesh, const boundBox& box, const scalar lev
 }
 
 
+//- Box and mass: a packing of constant/packingProperties, or the settings themselves
+dictionary packingEntries(const fvMesh& mesh, const dictionary& settings)
+{
+    return
+        settings.found("packing")
+      ? caseDictionary(mesh, "constant", "packingProperties").subDict
+        (
+            settings.get<word>("packing")
+        )
+      : settings;
+}
+
+
 int main(int argc, char *argv[])
 {
     Foam::answerVersion(argc, argv);
@@ -270,16 +283,7 @@ int main(int argc, char *argv[])
         {"FoamFile", "packing", "min", "max", "fluidMass", "density", "field"}
     );
 
-    const dictionary packing
-    (
-        settings.found("packing")
-      ? caseDictionary(mesh, "constant", "packingProperties").subDict
-        (
-            settings.get<word>("packing")
-        )
-      : settings
-    );
-
+    const dictionary packing(packingEntries(mesh, settings));
     const boundBox box(packing.get<point>("min"), packing.get<point>("max"));
     const scalar mass = packing.get<scalar>("fluidMass");
     const word field(settings.lookupOrDefault<word>("field", "alpha.water"));

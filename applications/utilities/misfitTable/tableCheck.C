@@ -140,6 +140,26 @@ scalar readChance(const dictionary& dict)
     return chance;
 }
 
+
+//- Lines of the rows that miss the identity
+std::vector<int> linesOfMissing
+(
+    const statistics::columnFaults& faults,
+    const std::vector<int>& lines,
+    const label nRows
+)
+{
+    std::vector<int> missing;
+    for (label i = 0; i < nRows; ++i)
+    {
+        if (!faults.holds(i))
+        {
+            missing.push_back(lines[i]);
+        }
+    }
+    return missing;
+}
+
 } // End anonymous namespace
 
 
@@ -179,13 +199,7 @@ tableCheck::tableCheck(const dictionary& dict)
         readRoundings(dict.subDict("roundings"), columns),
         dict.lookupOrDefault<scalar>("tolerance", 0.01)
     );
-    for (label i = 0; i < factorial.nRows(); ++i)
-    {
-        if (!faults.holds(i))
-        {
-            missing.push_back(lines[i]);
-        }
-    }
+    missing = linesOfMissing(faults, lines, factorial.nRows());
     printed = faults.asPrinted();
     attempts = faults.attempts();
     if (attempts.empty())

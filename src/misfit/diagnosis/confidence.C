@@ -150,7 +150,7 @@ Foam::scalar Foam::misfit::confidenceIn
     const decision& d
 )
 {
-    const scalar confidence = limits.confidence(verdictNames[d.kind], d.grounds);
+    const scalar confidence = limits.confidence(d.kind, d.grounds);
 
     // The cases of the table had all their runs
     const bool failed = e.candidates.failing.size() || e.failedRuns.size();

@@ -3,7 +3,6 @@
 
 #include "confidenceFit.H"
 #include "tableColumns.H"
-#include "verdictKind.H"
 
 #include <algorithm>
 #include <fstream>
@@ -20,7 +19,7 @@ using namespace Foam::misfit;
 //- A row of the file: the fit to the cases of one verdict
 std::string fittedRow
 (
-    const word& verdict,
+    const verdictKind verdict,
     const std::vector<knownCase>& cases,
     const scalar shrinkage
 )
@@ -39,15 +38,15 @@ std::string fittedRow
     if (right.empty())
     {
         FatalErrorInFunction
-            << "No case has the verdict " << verdict << ", so that its confidence"
-            << " cannot be fitted: make more cases" << exit(FatalError);
+            << "No case has the verdict " << verdictNames[verdict] << ", so that its"
+            << " confidence cannot be fitted: make more cases" << exit(FatalError);
     }
     const statistics::logistic fit
     (
         statistics::fitLogistic(x, right, shrinkage)
     );
     std::ostringstream os;
-    os << std::setprecision(4) << '\n' << verdict << "\n{\n"
+    os << std::setprecision(4) << '\n' << verdictNames[verdict] << "\n{\n"
         << "    cases       " << right.size() << ";\n"
         << "    right       " << std::count(right.begin(), right.end(), true)
         << ";\n"
@@ -91,7 +90,7 @@ Foam::misfit::readKnownCases(const fileName& file)
         {
             cases.push_back
             ({
-                table.rows[i][verdict],
+                verdictNames[word(table.rows[i][verdict])],
                 numbers.row(i).tail(groundNames.size()).transpose(), numbers(i, 0) > 0.5
             });
         }
@@ -126,7 +125,7 @@ std::string Foam::misfit::fittedTable
     );
     for (const word& verdict : verdictNames.sortedToc())
     {
-        text += fittedRow(verdict, cases, shrinkage);
+        text += fittedRow(verdictNames[verdict], cases, shrinkage);
     }
     return text;
 }

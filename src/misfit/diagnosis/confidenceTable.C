@@ -3,7 +3,6 @@
 
 #include "confidenceTable.H"
 #include "keywords.H"
-#include "verdictKind.H"
 
 #include "IFstream.H"
 #include "OSspecific.H"
@@ -96,7 +95,7 @@ Foam::misfit::confidenceTable::confidenceTable(fileName file)
     mustHave(dict, verdicts);
     for (const word& verdict : verdicts)
     {
-        rows_.insert(verdict, readRow(dict.subDict(verdict)));
+        rows_.emplace(verdictNames[verdict], readRow(dict.subDict(verdict)));
     }
 }
 
@@ -105,10 +104,10 @@ Foam::misfit::confidenceTable::confidenceTable(fileName file)
 
 Foam::scalar Foam::misfit::confidenceTable::operator()
 (
-    const word& verdict,
+    const verdictKind verdict,
     const groundValues& grounds
 ) const
 {
-    const row& r = rows_[verdict];
+    const row& r = rows_.at(verdict);
     return r.probability(grounds.cwiseMax(r.lower).cwiseMin(r.upper));
 }

@@ -40,79 +40,110 @@ vec later(const segment& s, const vec& f, const double time)
     return across(f, late, s);
 }
 
+
+// What a channel shows. s: the channel; o: that of its partner; f: the true samples;
+// u: the unknowns
+
+using F = const sensorFault&;
+using S = const segment&;
+using V = const vec&;
+
+
+//- All later by u [s], in one channel or in those of a recorder
+vec ofClock(F, S s, S, V f, V u)
+{
+    return later(s, f, u[0]);
+}
+
+
+//- Lag u0 [s] and loss of gain u1 [-] together
+vec ofClogged(F, S s, S, V f, V u)
+{
+    return (1 + u[1])*lagged(s, f, u[0]);
+}
+
+
+//- A constant u [SI], whatever the true value is
+vec ofDead(F, S s, S, V, V u)
+{
+    return vec::Constant(s.size, u[0]);
+}
+
+
+//- True value plus u [SI] times the share of time gone
+vec ofDrift(F, S s, S, V f, V u)
+{
+    const vec gone = s.x.array() - s.x[0];
+    return s.of(f) + u[0]/s.duration()*gone;
+}
+
+
+//- (1 + u) times the true value
+vec ofGain(F, S s, S, V f, V u)
+{
+    return (1 + u[0])*s.of(f);
+}
+
+
+//- u p' + p = true value; u [s]
+vec ofLag(F, S s, S, V f, V u)
+{
+    return lagged(s, f, u[0]);
+}
+
+
+//- On the way to another probe by a share u [-]
+vec ofMisplaced(F, S s, S o, V f, V u)
+{
+    return (1 - u[0])*s.of(f) + u[0]*across(f, o, s);
+}
+
+
+//- True value, but never above u [SI]
+vec ofSaturated(F, S s, S, V f, V u)
+{
+    return s.of(f).cwiseMin(u[0]);
+}
+
+
+//- Each of two channels has the record of the other
+vec ofSwapped(F, S s, S o, V f, V)
+{
+    return across(f, o, s);
+}
+
+
+//- Another power of ten than it says, or the sign
+vec ofUnits(F x, S s, S, V f, V)
+{
+    return x.factor*s.of(f);
+}
+
+
+//- True value plus u [SI]
+vec ofZero(F, S s, S, V f, V u)
+{
+    return s.of(f).array() + u[0];
+}
+
 } // End anonymous namespace
 
 
 const std::vector<statistics::faultRow>& statistics::faultTable()
 {
-    using S = const segment&;
-    using V = const vec&;
-    using F = const sensorFault&;
-
     static const std::vector<faultRow> table
     {
-        // Shows all later by u [s], in one channel or in those of a recorder
-        {
-            "clock", possible::clocks,
-            [](F, S s, S, V f, V u) { return later(s, f, u[0]); }
-        },
-        // Lag u0 [s] and loss of gain u1 [-] together
-        {
-            "clogged", possible::clogged,
-            [](F, S s, S, V f, V u) { return vec((1 + u[1])*lagged(s, f, u[0])); }
-        },
-        // A constant u [SI], whatever the true value is
-        {
-            "dead", possible::dead,
-            [](F, S s, S, V, V u) { return vec(vec::Constant(s.size, u[0])); }
-        },
-        // True value plus u [SI] times the share of time gone
-        {
-            "drift", possible::drifts,
-            [](F, S s, S, V f, V u)
-            {
-                const vec gone = s.x.array() - s.x[0];
-                return vec(s.of(f) + u[0]/s.duration()*gone);
-            }
-        },
-        // (1 + u) times the true value
-        {
-            "gain", possible::gains,
-            [](F, S s, S, V f, V u) { return vec((1 + u[0])*s.of(f)); }
-        },
-        // u p' + p = true value; u [s]
-        {
-            "lag", possible::lags,
-            [](F, S s, S, V f, V u) { return lagged(s, f, u[0]); }
-        },
-        // On the way to another probe by a share u [-]
-        {
-            "misplaced", possible::misplaced,
-            [](F, S s, S o, V f, V u)
-            {
-                return vec((1 - u[0])*s.of(f) + u[0]*across(f, o, s));
-            }
-        },
-        // True value, but never above u [SI]
-        {
-            "saturated", possible::saturated,
-            [](F, S s, S, V f, V u) { return vec(s.of(f).cwiseMin(u[0])); }
-        },
-        // Each of two channels has the record of the other
-        {
-            "swapped", possible::swapped,
-            [](F, S s, S o, V f, V) { return across(f, o, s); }
-        },
-        // Another power of ten than it says, or the sign
-        {
-            "units", possible::units,
-            [](F x, S s, S, V f, V) { return vec(x.factor*s.of(f)); }
-        },
-        // True value plus u [SI]
-        {
-            "zero", possible::zeros,
-            [](F, S s, S, V f, V u) { return vec(s.of(f).array() + u[0]); }
-        }
+        {"clock", possible::clocks, ofClock},
+        {"clogged", possible::clogged, ofClogged},
+        {"dead", possible::dead, ofDead},
+        {"drift", possible::drifts, ofDrift},
+        {"gain", possible::gains, ofGain},
+        {"lag", possible::lags, ofLag},
+        {"misplaced", possible::misplaced, ofMisplaced},
+        {"saturated", possible::saturated, ofSaturated},
+        {"swapped", possible::swapped, ofSwapped},
+        {"units", possible::units, ofUnits},
+        {"zero", possible::zeros, ofZero}
     };
     return table;
 }

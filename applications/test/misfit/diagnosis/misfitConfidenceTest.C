@@ -32,7 +32,7 @@ std::vector<knownCase> drawnCases(const label each)
         for (label i = 0; i < each; ++i)
         {
             knownCase c;
-            c.verdict = verdict;
+            c.verdict = verdictNames[verdict];
             c.grounds = vec::Zero(groundNames.size());
             c.grounds[0] = 4*any(generator) - 2;
             c.right = any(generator) < 1/(1 + std::exp(-c.grounds[0]));
@@ -154,7 +154,7 @@ TEST(misfitConfidence, theTableIsReadBackAsItWasFitted)
     std::vector<bool> right;
     for (const knownCase& c : cases)
     {
-        if (c.verdict == "set")
+        if (c.verdict == verdictKind::set)
         {
             x(count(right), 0) = c.grounds[0];
             right.push_back(c.right);
@@ -165,14 +165,14 @@ TEST(misfitConfidence, theTableIsReadBackAsItWasFitted)
     for (const scalar lead : {-1.5, 0., 1.5})
     {
         grounds[0] = lead;
-        EXPECT_NEAR(table("set", grounds), fit(vec::Constant(1, lead)), 1e-3);
+        EXPECT_NEAR(table(verdictKind::set, grounds), fit(vec::Constant(1, lead)), 1e-3);
     }
 
     // No case had more than that
     grounds[0] = 1e6;
     EXPECT_NEAR
     (
-        table("set", grounds), fit(vec::Constant(1, x.maxCoeff())), 1e-3
+        table(verdictKind::set, grounds), fit(vec::Constant(1, x.maxCoeff())), 1e-3
     );
 }
 
@@ -189,10 +189,10 @@ TEST(misfitConfidence, scoredCasesAreReadByTheirColumns)
     writeWhole(file, heads + "\n0001,named,1,2,0.01,3,1,1,0\n0002,none,0,-1,1,0,0.5,0,0\n");
     const std::vector<knownCase> cases(readKnownCases(file));
     ASSERT_EQ(cases.size(), 2);
-    EXPECT_EQ(cases[0].verdict, "named");
+    EXPECT_EQ(cases[0].verdict, verdictKind::named);
     EXPECT_TRUE(cases[0].right);
     EXPECT_EQ(cases[0].grounds[2], 3);
-    EXPECT_EQ(cases[1].verdict, "none");
+    EXPECT_EQ(cases[1].verdict, verdictKind::none);
     EXPECT_FALSE(cases[1].right);
     EXPECT_EQ(cases[1].grounds[0], -1);
 
@@ -215,7 +215,7 @@ TEST(misfitConfidence, aVerdictThatNoCaseHasCannotBeFitted)
     std::vector<knownCase> cases(drawnCases(5));
     for (knownCase& c : cases)
     {
-        c.verdict = c.verdict == "set" ? "named" : c.verdict;
+        c.verdict = c.verdict == verdictKind::set ? verdictKind::named : c.verdict;
     }
     EXPECT_NE
     (
