@@ -168,20 +168,16 @@ namespace
 
             const triple Ft = tangentialForce(c, k, stretch, slip, Fn, kt, gt);
 
-            triple roll{0, 0, 0};
             const triple spin = wall ? turning : spinI - spinJ;
+            triple roll{0, 0, 0};
 
             if constexpr (rolling == rollingFriction::epsd2)
             {
+                const double limit =
+                    std::fabs(Fn)*radius*c.rollingFriction[k];
                 roll = springTorque
                 (
-                    c,
-                    k,
-                    normal,
-                    spin,
-                    kt*radius*radius,
-                    std::fabs(Fn)*radius*c.rollingFriction[k],
-                    dt
+                    c, k, normal, spin, kt*radius*radius, limit, dt
                 );
             }
             else if constexpr (rolling == rollingFriction::cdt)
