@@ -19,6 +19,50 @@ TEST(demCoupling, hasNoGrainsWithoutTheirDictionary)
 }
 
 
+TEST(demCoupling, leavesEquationsAsTheyAreWithoutGrains)
+{
+    testMesh box;
+    const fvMesh& mesh = box.mesh();
+    demCoupling coupling(mesh, hydrostatics(g));
+    const slidingGate gate(mesh);
+    const auto field = [&](const word& name, const scalar value)
+    {
+        return volScalarField
+        (
+            IOobject(name, mesh.time().timeName(), mesh),
+            mesh,
+            dimensionedScalar(name, dimless, value)
+        );
+    };
+    volScalarField voidFraction(field("voidFraction", 0.7));
+    voidFraction.oldTime();
+    const surfaceScalarField phi
+    (
+        IOobject("phi", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimVelocity*dimArea, 1)
+    );
+
+    coupling.advanceVoidFraction(voidFraction, phi, 0.1);
+    EXPECT_EQ(min(voidFraction).value(), 0.7);
+    EXPECT_EQ(max(voidFraction).value(), 0.7);
+    EXPECT_EQ
+    (
+        max(mag(coupling.voidFractionRate(voidFraction, gate, 0.1)().field())), 0
+    );
+    EXPECT_EQ
+    (
+        max(mag(coupling.fluidPressureShare(voidFraction)().primitiveField() - 0.7)), 0
+    );
+    EXPECT_EQ(max(mag(coupling.dragCoefficient()())), 0);
+    EXPECT_EQ(max(mag(coupling.explicitForce()())), 0);
+    EXPECT_EQ(coupling.dragCoefficient()().size(), mesh.nCells());
+    EXPECT_EQ(coupling.viscousForceStrength(), 0);
+    EXPECT_EQ(coupling.relaxationTime(), 0);
+    EXPECT_NO_THROW(coupling.checkTimes(mesh.time(), false));
+}
+
+
 TEST(demCoupling, takesAWholeNumberOfFluidStepsInAnInterval)
 {
     boxOfWater w;

@@ -26,7 +26,8 @@ std::string row(const openedCase& c)
         c.key["case"].get<std::string>() + ',' + c.kind + ',' + joined(c.truth, "+")
       + (c.faulty.empty() ? "" : fault + ' ' + c.faulty) + ','
       + shortNumber(c.noiseSNR) + ',' + shortNumber(c.SNR) + ','
-      + verdictNames[c.outcome] + ',' + joined(c.names, "+") + ',' + shortNumber(c.confidence) + ','
+      + verdictNames[c.outcome] + ',' + joined(c.names, "+") + ','
+      + shortNumber(c.confidence) + ','
       + (c.overlap ? shortNumber(*c.overlap) : "") + ',' + (c.right ? '1' : '0')
       + ',' + grounds + '\n';
 }

@@ -35,7 +35,6 @@ void Foam::demCoupling::makeForces
     const hydrostatics& hydrostatic
 )
 {
-    dict.checkSmoothing(*phase_);
     solids_.reset
     (
         new solidFractionField(*exchange_, keywords::sub(dict, "voidFraction"))
@@ -103,8 +102,9 @@ Foam::demCoupling::demCoupling
 
     phase_ = dict.makePhase(mesh, hydrostatic.g());
     clock_.reset(new exchangeClock(*phase_));
-    exchange_.reset(new grainExchange(mesh));
     makeTransport(dict);
+    dict.checkSmoothing(*phase_);
+    exchange_.reset(new grainExchange(mesh));
     makeForces(dict, hydrostatic);
 
     locateFirst();

@@ -49,7 +49,7 @@ Foam::demCoupling::voidFractionRate
         1 - ((1 - done)*solidBefore_ + done*solidAfter_)
     );
 
-    // Within a fluid step the flux would jump where their number in an interval
+    // Within a fluid step the flux would jump where the number of steps in an interval
     // changes, and the pressure with it
     rate.ref().field() =
         (target - voidFraction.primitiveField())/relaxationTime();

@@ -104,7 +104,7 @@ Foam::dictionary Foam::grainsOnPoints::withStep
     points.add("timeStep", step, true);
     result.set("materialPoints", points);
 
-    // No fluid reaches these points: a grainDiameter is of the law alone
+    // No fluid reaches these points: their diameters are of the law alone
     result.set("fluid", word("none"));
     return result;
 }

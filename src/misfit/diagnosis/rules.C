@@ -38,7 +38,7 @@ dictionary withChanges(const dictionary& decision)
     dictionary all(standardRules());
     keywords::checkRenamed
     (
-        decision, {{"formulaTolerance", "modelDiscrepancy"}}
+        decision, {{"formulaTolerance", "modelDiscrepancy"}, {"tellingApart", "separation"}}
     );
     keywords::check(decision, all.toc());
     all.merge(decision);

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What a reader sees of sources and scripts: comments, and the messages of programs.
+# Words of a list in what a reader sees of sources and scripts: comments, and the messages
+# of C++.
 #
-#   awk -f codeText.awk FILE...
+#   awk -v words=LIST -f codeText.awk FILE...
 #
-# Prints "file:line: text". A comment begins with # or // at the begin of a line or behind a
-# space; lines of a longer one in C++ begin with *. Strings are taken of C++ only: in
-# scripts they are code, too.
+# Prints "file:line: text" of each line with one of them. A comment begins with # or // at
+# the begin of a line or behind a space; lines of a longer one in C++ begin with *. Strings
+# of scripts are code, too, and not looked at.
 
 # strings(line): the texts in quotation marks; text is the line without them
 function strings(line,    found)
@@ -19,9 +20,15 @@ function strings(line,    found)
     return found
 }
 
+BEGIN {
+    while ((getline word < words) > 0)
+        if (word !~ /^#/) any = any (any ? "|" : "") word
+    any = "(^|[^[:alnum:]_])(" any ")([^[:alnum:]_]|$)"
+}
+
 {
     text = $0
-    shown = FILENAME ~ /\.[CH]$/ ? strings($0) : ""
+    shown = FILENAME ~ /\.[CHc]$/ ? strings($0) : ""
     if (match(text, /(^|[ \t])(#|\/\/|\*)[- ].*/)) shown = shown " " substr(text, RSTART)
-    if (shown != "") print FILENAME ":" FNR ": " shown
+    if (tolower(shown) ~ any) print FILENAME ":" FNR ": " shown
 }

@@ -108,6 +108,9 @@ TEST(materialPointsPhase, poresMayBeTighterThanTheirGrainsMakeThem)
         ratio("grainDiameter 0.001;")
     );
     EXPECT_EQ(ratio("poreDiameter 0.001;"), ratio("grainDiameter 0.001;"));
+
+    const std::string none(refusal([&]() { ratio("poreDiameter 0;"); }));
+    EXPECT_NE(none.find("poreDiameter is 0 m"), std::string::npos) << none;
 }
 
 

@@ -14,10 +14,12 @@ namespace
     constexpr double dashpot = 2*0.91287092917527685576161630466800355658790782;
 
 
+    // Always inline: a call would keep the loop over contacts from being vectorised
+
     //- Tangential force of a contact with a normal force Fn, for a stretch of its
     //  spring; keeps the stretch, cut where the contact slides. kt and gt are those of
     //  spring and dashpot
-    inline triple tangentialForce
+    [[gnu::always_inline]] inline triple tangentialForce
     (
         contactBatch& c,
         const int k,
@@ -57,7 +59,7 @@ namespace
 
     //- Torque of the rolling spring: it takes the stiffness of the contact, and yields
     //  at its limit
-    inline triple springTorque
+    [[gnu::always_inline]] inline triple springTorque
     (
         contactBatch& c,
         const int k,
@@ -88,7 +90,7 @@ namespace
     //- Constant torque against the spin, of an elastic load kn*overlap. LIGGGHTS's
     //  order of factors, which differs at walls
     template<bool wall>
-    inline triple constantTorque
+    [[gnu::always_inline]] inline triple constantTorque
     (
         const triple& normal,
         const triple& spin,

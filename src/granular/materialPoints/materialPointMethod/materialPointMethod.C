@@ -39,7 +39,6 @@ namespace
 
         return model == "APIC" ? 0 : share;
     }
-
 }
 
 

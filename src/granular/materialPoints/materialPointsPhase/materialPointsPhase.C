@@ -196,7 +196,7 @@ Foam::materialPointsPhase::materialPointsPhase
 
     asGrains_ = pointsAsGrains(method_.bodies(), dict_.subDict("bodies"));
 
-    // Dry, a grainDiameter is of the law alone, and bodies may differ in it
+    // Dry, the diameters are of the law alone, and bodies may differ in them
     if (dict.lookupOrDefault<word>("fluid", "volumeOfFluid") != "none")
     {
         const scalar ratio = asGrains_.coarseGraining
