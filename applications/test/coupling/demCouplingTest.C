@@ -40,7 +40,7 @@ TEST(demCoupling, leavesEquationsAsTheyAreWithoutGrains)
     (
         IOobject("phi", mesh.time().timeName(), mesh),
         mesh,
-        dimensionedScalar(dimVelocity*dimArea, scalar(1))
+        dimensionedScalar("one", dimVelocity*dimArea, 1)
     );
 
     coupling.advanceVoidFraction(voidFraction, phi, 0.1);
