@@ -240,7 +240,7 @@ TEST(pointLaws, whatIsWrongIsNamed)
             "law softeningDruckerPrager; density 1; E 1; nu 0;"
             " frictionAngl 30;",
             "Valid keywords: law density E nu solidDensity grainDiameter"
-            " frictionAngle"
+            " poreDiameter frictionAngle"
         },
         {
             "law dilatantMuI; density 1; E 1; nu 0; staticFrction 0.3;",
