@@ -7,8 +7,8 @@ columns = n < 2 ? 1 : n < 5 ? 2 : 3
 
 # Three to eight labels: gnuplot's own overlap in three columns
 power(step) = 10.0**floor(log10(step))
-round(step) = step < 1.5 ? 1 : step < 3.5 ? 2 : step < 7.5 ? 5 : 10
-labels(step) = power(step)*round(step/power(step))
+leading(step) = step < 1.5 ? 1 : step < 3.5 ? 2 : step < 7.5 ? 5 : 10
+labels(step) = power(step)*leading(step/power(step))
 
 set terminal pngcairo size 1100, 80 + 270*rows(n, columns) noenhanced font ',11'
 set output file.'.png'
