@@ -4,28 +4,9 @@
 #include "grainExchange.H"
 
 #include "HashSet.H"
+#include "ListOps.H"
 #include "foamCompatibility.H"
 #include "granularPhase.H"
-
-namespace
-{
-    using namespace Foam;
-
-    //- Those of the list that are not placed
-    DynamicList<label> without(const UList<label>& all, const labelHashSet& placed)
-    {
-        DynamicList<label> left;
-        for (const label i : all)
-        {
-            if (!placed.found(i))
-            {
-                left.append(i);
-            }
-        }
-        return left;
-    }
-}
-
 
 Foam::grainExchange::grainExchange(const fvMesh& mesh)
 :
@@ -190,8 +171,11 @@ void Foam::grainExchange::searchOtherRanks
         }
     }
 
-    DynamicList<label> left(without(strangers, placed));
-    strangers.transfer(left);
+    inplaceSubsetList
+    (
+        strangers,
+        [&](const label i) { return !placed.found(i); }
+    );
 }
 
 
