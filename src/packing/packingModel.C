@@ -72,8 +72,8 @@ Foam::packingModel::packingModel
     dict_(checked(dict, modelKeywords)),
     sizes_(dict),
     density_(positive("density")),
-    material_(dict.lookupOrDefault<label>("material", 1)),
-    seed_(dict.lookupOrDefault<label>("seed", 1))
+    material_(dict.getOrDefault<label>("material", 1)),
+    seed_(dict.getOrDefault<label>("seed", 1))
 {
     if (material_ < 1)
     {

@@ -47,13 +47,13 @@ Foam::settledPacking::settledPacking
     contact_(dict),
     step_
     (
-        dict.lookupOrDefault
+        dict.getOrDefault
         (
             "timeStep",
             contact_.timeStep(sizes_.smallest(), density_)
         )
     ),
-    fraction_(dict.lookupOrDefault("solidFraction", pouredFraction)),
+    fraction_(dict.getOrDefault("solidFraction", pouredFraction)),
     nTiles_(readTiles())
 {
     checkGrainVolume(box_);
@@ -70,7 +70,7 @@ Foam::boundBox Foam::settledPacking::readBox() const
 
 Foam::label Foam::settledPacking::readTiles() const
 {
-    const scalar length = dict_.lookupOrDefault
+    const scalar length = dict_.getOrDefault
     (
         "tileLength",
         tileDiameters*sizes_.largest()

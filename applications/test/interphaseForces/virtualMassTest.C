@@ -94,3 +94,16 @@ TEST(virtualMass, strengthZeroIsNothingAndBetweenIsInProportion)
     EXPECT_NEAR(coefficient("model Zuber; strength 0.3;", 0.5), 0.6, 1e-14);
     EXPECT_EQ(coefficient("model none;", 0.5), 0);
 }
+
+
+TEST(virtualMass, ofStrengthZeroNeedsNoAccelerationOfTheFluid)
+{
+    testMesh box;
+    const auto carries = [&](const std::string& text)
+    {
+        return forceModels(box.mesh(), entries("virtualMass {" + text + "}")).carriesFluid();
+    };
+
+    EXPECT_TRUE(carries("model Zuber;"));
+    EXPECT_FALSE(carries("model Zuber; strength 0;"));
+}

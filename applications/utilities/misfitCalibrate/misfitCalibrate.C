@@ -33,7 +33,7 @@ freeParameter readParameter(const word& name, const dictionary& dict)
             dict, "scale", "scale of a parameter", {"linear", "log"}, "linear"
         ) == "log";
 
-    scalarField range(dict.lookupOrDefault("levels", scalarList()));
+    scalarField range(dict.getOrDefault("levels", scalarList()));
     for (const scalar level : range)
     {
         p.levels.push_back(p.scaled(level));
@@ -95,7 +95,7 @@ struct experiment
     )
     :
         name(name_),
-        conditions(dict.lookupOrDefault("conditions", wordList())),
+        conditions(dict.getOrDefault("conditions", wordList())),
         quantities(dict.get<wordList>("quantities"))
     {
         keywords::check

@@ -135,7 +135,7 @@ void checkAction(const argList& args)
 //- Of an option, from where the program was started
 fileName path(const argList& args, const word& option, const fileName& byDefault)
 {
-    fileName given(args.lookupOrDefault<fileName>(option, byDefault));
+    fileName given(args.getOrDefault<fileName>(option, byDefault));
     return given.toAbsolute();
 }
 
@@ -210,7 +210,7 @@ void writeCase
             << exit(FatalError);
     }
     concealedSide library(slice, ensembles, "library", true);
-    const word with(args.lookupOrDefault("with", word()));
+    const word with(args.getOrDefault("with", word()));
     runState state;
     for (const parameter& p : readParameters(library.dict().subDict("parameters")))
     {

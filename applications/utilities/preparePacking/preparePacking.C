@@ -301,7 +301,7 @@ int main(int argc, char* argv[])
         grains,
         domain,
         "Grains of preparePacking",
-        dict.lookupOrDefault<label>("materials", 1)
+        dict.getOrDefault<label>("materials", 1)
     );
     report(packings, runTime);
 

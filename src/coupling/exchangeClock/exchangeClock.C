@@ -19,7 +19,7 @@ Foam::string Foam::exchangeClock::writingFault(const Time& runTime) const
     const dictionary& control = runTime.controlDict();
     const word writeControl
     (
-        control.lookupOrDefault<word>("writeControl", "timeStep")
+        control.getOrDefault<word>("writeControl", "timeStep")
     );
     const scalar interval = phase_.exchangeInterval();
     OStringStream fault;
@@ -40,7 +40,7 @@ Foam::string Foam::exchangeClock::writingFault(const Time& runTime) const
         return fault.str();
     }
 
-    if (control.lookupOrDefault<label>("purgeWrite", 0) == 1)
+    if (control.getOrDefault<label>("purgeWrite", 0) == 1)
     {
         fault
             << "purgeWrite 1 removes the last time before the next one is"

@@ -25,7 +25,7 @@ Foam::granularProperties::granularProperties(const fvMesh& mesh)
     stepsPerExchange_
     (
         keywords::sub(*this, "exchange", {"interval", "relaxationTime"})
-            .lookupOrDefault<label>("interval", 10)
+            .getOrDefault<label>("interval", 10)
     ),
     relaxationTime_
     (
@@ -112,8 +112,8 @@ void Foam::granularProperties::checkSmoothing(const granularPhase& phase) const
     if
     (
         !phase.hasContactRadius()
-     && drag.lookupOrDefault<word>("model", "DiFelice") != "none"
-     && smoothing.lookupOrDefault<word>("model", "diffusion") != "none"
+     && drag.getOrDefault<word>("model", "DiFelice") != "none"
+     && smoothing.getOrDefault<word>("model", "diffusion") != "none"
      && !smoothing.found("drag")
     )
     {

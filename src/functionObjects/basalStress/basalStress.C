@@ -81,9 +81,9 @@ bool Foam::functionObjects::basalStress::read(const dictionary& dict)
     patches_ = flumeSettings::patches(dict, mesh_);
     direction_ =
         keywords::unitVector(dict, "direction", frame_.downslope());
-    binWidth_ = dict.lookupOrDefault<scalar>("binWidth", 0.1);
-    pName_ = dict.lookupOrDefault<word>("p", "p");
-    UName_ = dict.lookupOrDefault<word>("U", "U");
+    binWidth_ = dict.getOrDefault<scalar>("binWidth", 0.1);
+    pName_ = dict.getOrDefault<word>("p", "p");
+    UName_ = dict.getOrDefault<word>("U", "U");
 
     if (binWidth_ <= 0)
     {

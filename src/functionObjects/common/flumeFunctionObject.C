@@ -63,10 +63,10 @@ bool Foam::functionObjects::flumeFunctionObject::read(const dictionary& dict)
     compatibility::writeFile::read(dict);
 
     frame_ = flumeFrame(dict);
-    alphaName_ = dict.lookupOrDefault<word>("alpha", "alpha.water");
+    alphaName_ = dict.getOrDefault<word>("alpha", "alpha.water");
     voidFractionName_ =
-        dict.lookupOrDefault<word>("voidFraction", "voidFraction");
-    rhoWater_ = dict.lookupOrDefault<scalar>("rhoWater", densityOfWater());
+        dict.getOrDefault<word>("voidFraction", "voidFraction");
+    rhoWater_ = dict.getOrDefault<scalar>("rhoWater", densityOfWater());
 
     // Read and reduced by all ranks at once: what is sampled may lie on one alone
     if
@@ -111,7 +111,7 @@ bool Foam::functionObjects::flumeFunctionObject::hasFluid(const fvMesh& mesh)
     );
 
     return
-        properties.lookupOrDefault<word>("fluid", "volumeOfFluid") != "none";
+        properties.getOrDefault<word>("fluid", "volumeOfFluid") != "none";
 }
 
 

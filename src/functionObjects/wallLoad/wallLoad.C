@@ -133,10 +133,10 @@ bool Foam::functionObjects::wallLoad::read(const dictionary& dict)
     );
 
     patches_ = flumeSettings::patches(dict, mesh_);
-    centre_ = dict.lookupOrDefault<point>("CofR", Zero);
-    samplingRate_ = dict.lookupOrDefault<scalar>("samplingRate", 0);
-    pName_ = dict.lookupOrDefault<word>("p", "p");
-    UName_ = dict.lookupOrDefault<word>("U", "U");
+    centre_ = dict.getOrDefault<point>("CofR", Zero);
+    samplingRate_ = dict.getOrDefault<scalar>("samplingRate", 0);
+    pName_ = dict.getOrDefault<word>("p", "p");
+    UName_ = dict.getOrDefault<word>("U", "U");
 
     readDirections(dict);
 

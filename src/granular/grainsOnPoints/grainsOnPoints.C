@@ -46,7 +46,7 @@ Foam::dictionary Foam::grainsOnPoints::settings
     const dictionary& dict
 )
 {
-    if (dict.lookupOrDefault<word>("fluid", "volumeOfFluid") != "none")
+    if (dict.getOrDefault<word>("fluid", "volumeOfFluid") != "none")
     {
         FatalIOErrorInFunction(dict)
             << "Grains on material points are computed without a fluid." << nl

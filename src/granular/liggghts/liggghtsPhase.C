@@ -45,7 +45,7 @@ fileName script
     {
         path = "constant/grains." + key;
     }
-    path = dict.lookupOrDefault<fileName>(key, path);
+    path = dict.getOrDefault<fileName>(key, path);
     path.expand();
 
     if (!path.isAbsolute())
@@ -68,7 +68,7 @@ fileName script
 //- Fatal unless the share is from 0 to below 1
 scalar readLocalDamping(const dictionary& dict)
 {
-    const scalar share = dict.lookupOrDefault<scalar>("localDamping", 0);
+    const scalar share = dict.getOrDefault<scalar>("localDamping", 0);
 
     if (!(share >= 0 && share < 1))
     {

@@ -46,7 +46,7 @@ labelVector cuts(const Time& runTime)
     if (isFile(path))
     {
         const dictionary dict{IFstream(path)()};
-        const word method(dict.lookupOrDefault<word>("method", "none"));
+        const word method(dict.getOrDefault<word>("method", "none"));
         const dictionary& coeffs = dict.optionalSubDict
         (
             dict.found(method + "Coeffs") ? method + "Coeffs" : word("coeffs")

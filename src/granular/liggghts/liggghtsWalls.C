@@ -34,7 +34,7 @@ Foam::liggghtsWalls::liggghtsWalls
             wordRes({wordRe(".*", wordRe::REGEX)})
         )
     ),
-    type_(dict.lookupOrDefault<label>("type", 1)),
+    type_(dict.getOrDefault<label>("type", 1)),
     types_(keywords::sub(dict, "types")),
     contactModel_
     (
@@ -42,7 +42,7 @@ Foam::liggghtsWalls::liggghtsWalls
       ? dict.get<string>("contactModel")
       : liggghtsScript::contactModel(script)
     ),
-    scriptSurfaces_(dict.lookupOrDefault<wordList>("surfaces", wordList())),
+    scriptSurfaces_(dict.getOrDefault<wordList>("surfaces", wordList())),
     nWalls_(0)
 {
     keywords::check

@@ -67,6 +67,7 @@ Foam::forceModels::forceModels(const fvMesh& mesh, const dictionary& dict)
     rotationalDrag(family(dict, "rotationalDrag", "Dennis")),
     lubrication(mesh, offIfAbsent(dict, "lubrication")),
     history(offIfAbsent(dict, "history")),
+    shear(mesh, offIfAbsent(dict, "grainShear")),
     pressureGradient(strength(dict, "pressureGradient")),
     excessPressure(strength(dict, "excessPressure")),
     viscousForce
@@ -80,6 +81,7 @@ Foam::forceModels::forceModels(const fvMesh& mesh, const dictionary& dict)
     activePhysics.add("rotationalDrag", family(dict, "rotationalDrag", "Dennis"));
     activePhysics.add("lubrication", lubrication.activePhysics());
     activePhysics.add("history", history.activePhysics());
+    activePhysics.add("grainShear", shear.activePhysics());
     activePhysics.add("pressureGradient", settingsOf(pressureGradient));
     activePhysics.add("excessPressure", settingsOf(excessPressure));
     activePhysics.add("viscousForce", settingsOf(viscousForce));
@@ -94,6 +96,7 @@ Foam::wordList Foam::forceModels::names()
     {
         "drag",
         "excessPressure",
+        "grainShear",
         "history",
         "lift",
         "lubrication",
@@ -144,7 +147,5 @@ void Foam::forceModels::liftForces
 
 bool Foam::forceModels::carriesFluid() const
 {
-    return
-        activePhysics.subDict("virtualMass").get<word>("model") != "none"
-     || history.isOn();
+    return virtualMass.isOn() || history.isOn();
 }

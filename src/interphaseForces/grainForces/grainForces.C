@@ -97,18 +97,21 @@ inline Foam::grainState Foam::grainForces::stateOf
     const locatedGrain& grain = exchange_.grains()[i];
     const scalar perRho = 1/fluid.rhoOfMomentum;
     const vector vorticity((1/fluid.rhoAround)*fluid.vorticity);
+    const vector slip(perRho*fluid.momentum - meanVelocity_[i]);
+    const scalar d = 2*grain.clumpRadius/coarseGraining_;
+
+    // OpenFOAM's HerschelBulkley has none at all where it rests and has no
+    // yield stress; its limit there is nu0 or k, but this only avoids 0/0
+    const scalar mu = max(fluid.mu, SMALL);
 
     return grainState
     {
-        2*grain.clumpRadius/coarseGraining_,
-        perRho*fluid.momentum - meanVelocity_[i],
+        d,
+        slip,
         0.5*vorticity - grain.angularVelocity,
         vorticity,
         fluid.rho,
-
-        // OpenFOAM's HerschelBulkley has none at all where it rests and has no
-        // yield stress; its limit there is nu0 or k, but this only avoids 0/0
-        max(fluid.mu, SMALL),
+        laws_.shear.isOn() ? laws_.shear.mu(mu, fluid.rho, d, mag(slip)) : mu,
         fluid.voidFraction,
         dSauter/coarseGraining_
     };

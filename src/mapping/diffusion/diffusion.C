@@ -79,8 +79,8 @@ Foam::smoothingModels::diffusion::diffusion
 )
 :
     mesh_(mesh),
-    width_(dict.lookupOrDefault<scalar>("width", 3)),
-    givenDiameter_(dict.lookupOrDefault<scalar>("diameter", 0)),
+    width_(dict.getOrDefault<scalar>("width", 3)),
+    givenDiameter_(dict.getOrDefault<scalar>("diameter", 0)),
     warnedOfJump_(false),
     conductance_(mesh.nFaces(), Zero),
     longestStep_(GREAT)

@@ -163,7 +163,9 @@ const numberTable& withNumbers(const numberTable& t, const fileName& files)
     if (t.rows.empty())
     {
         FatalErrorInFunction
-            << "The run wrote no numbers in " << files.c_str() << exit(FatalError);
+            << "The run wrote no numbers in " << files.c_str() << nl
+            << "    Does it reach the first time at which the function object writes?"
+            << exit(FatalError);
     }
     return t;
 }
@@ -211,7 +213,8 @@ Foam::scalarList Foam::misfit::numberTable::column(const label i) const
             FatalErrorInFunction
                 << "Line " << lines[row] << " of the table " << file << " has "
                 << rows[row].size() << " columns, but column " << i + 1
-                << " is needed" << exit(FatalError);
+                << " is needed: correct the line, or the column of the channel"
+                << exit(FatalError);
         }
         numbers[row] = rows[row][i];
     }
@@ -255,7 +258,8 @@ Foam::misfit::numberTable Foam::misfit::csvTable(const fileName& file)
     if (!is)
     {
         FatalErrorInFunction
-            << "There is no file " << file << exit(FatalError);
+            << "There is no file " << file << ": correct its path"
+            << exit(FatalError);
     }
     try
     {
@@ -276,7 +280,8 @@ Foam::misfit::numberTable Foam::misfit::csvTable(const fileName& file)
     if (t.rows.empty())
     {
         FatalErrorInFunction
-            << "The file " << file << " holds no numbers" << exit(FatalError);
+            << "The file " << file << " holds no numbers: it needs a line of names and"
+            << " rows of numbers" << exit(FatalError);
     }
     return t;
 }

@@ -105,7 +105,7 @@ void Foam::checkLeastStep
 )
 {
     const dictionary& control = U.time().controlDict();
-    const scalar least = control.lookupOrDefault<scalar>
+    const scalar least = control.getOrDefault<scalar>
     (
         "minDeltaT",
         1e-6*control.get<scalar>("deltaT")

@@ -129,7 +129,7 @@ void Foam::timeFolders::putIncompleteAside(const argList& args)
     if
     (
         !isFile(control)
-     || dictionary(IFstream(control)()).lookupOrDefault<word>
+     || dictionary(IFstream(control)()).getOrDefault<word>
         (
             "startFrom",
             ""

@@ -15,10 +15,10 @@ Foam::solidFractionField::solidFractionField
     mesh_(exchange.mesh()),
     model_(voidFractionModel::New(dict)),
     mapping_(exchange, keywords::sub(dict, "smoothing")),
-    minimum_(dict.lookupOrDefault<scalar>("minimum", 0.3)),
+    minimum_(dict.getOrDefault<scalar>("minimum", 0.3)),
     solidFraction_(mesh_.nCells(), Zero),
     excess_(mesh_, 1 - minimum_),
-    mostSpread_(dict.lookupOrDefault<scalar>("largestSpread", 0.25))
+    mostSpread_(dict.getOrDefault<scalar>("largestSpread", 0.25))
 {
     wordList known({"model", "minimum", "largestSpread", "smoothing"});
     known.append(model_->modelKeywords());

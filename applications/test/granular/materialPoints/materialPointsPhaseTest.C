@@ -389,6 +389,7 @@ TEST(materialPointsPhase, pointsStayWithinTheWalls)
     for (label i = 0; i < 200; ++i)
     {
         phase->advance();
+        ASSERT_FALSE(phase->position().empty());
         for (const point& p : phase->position())
         {
             ASSERT_TRUE(box.mesh().bounds().contains(p))

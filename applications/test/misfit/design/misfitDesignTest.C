@@ -262,6 +262,7 @@ TEST(misfitDesign, eachAnswerCountsOnceAndTheBrierScoreIsThatOfItsConfidences)
 {
     numbersWorld w(mat::Constant(1, 1, 3));
     const experimentDesign d(designExperiment(w, settingsFor(1), designOfAll(1, 40), 1));
+    ASSERT_FALSE(d.rows.empty());
     for (const designRow& r : d.rows)
     {
         EXPECT_EQ(r.named + r.inSet + r.wrong + r.none + r.unknown, r.draws);
@@ -282,6 +283,7 @@ TEST(misfitDesign, aCandidateWhoseRunsFailIsToldAndHasNoRows)
     w.failing = "1";
     const experimentDesign d(designExperiment(w, settingsFor(2), designOfAll(1, 5), 1));
     EXPECT_EQ(d.failing, wordList({"1"}));
+    ASSERT_FALSE(d.rows.empty());
     for (const designRow& r : d.rows)
     {
         EXPECT_NE(r.mechanism, "1");

@@ -65,7 +65,9 @@ TEST(misfitDepartures, whatDoesNotRiseDoesNotArrive)
     stageResults e(twoDeparting());
     const world w(40);
     w.data.segments[1].of(e.detection.data.y).setConstant(7);
-    for (const departure& d : departuresOf(e, w(w.bounds.mean), worldSettings()))
+    const std::vector<departure> all(departuresOf(e, w(w.bounds.mean), worldSettings()));
+    ASSERT_EQ(all.size(), 4);
+    for (const departure& d : all)
     {
         EXPECT_EQ(d.recorded.has_value(), d.channel != "P2");
         EXPECT_TRUE(d.simulated.has_value());

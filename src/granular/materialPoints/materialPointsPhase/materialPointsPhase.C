@@ -197,7 +197,7 @@ Foam::materialPointsPhase::materialPointsPhase
     asGrains_ = pointsAsGrains(method_.bodies(), dict_.subDict("bodies"));
 
     // Dry, the diameters are of the law alone, and bodies may differ in them
-    if (dict.lookupOrDefault<word>("fluid", "volumeOfFluid") != "none")
+    if (dict.getOrDefault<word>("fluid", "volumeOfFluid") != "none")
     {
         const scalar ratio = asGrains_.coarseGraining
         (

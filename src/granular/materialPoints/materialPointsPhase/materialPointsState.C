@@ -41,7 +41,8 @@ namespace
             FatalErrorInFunction
                 << "Rank " << rank << " was to send " << result.size()
                 << " bytes of the state of its points; " << nBytes
-                << " came." << exit(FatalError);
+                << " came." << nl
+                << "    Continue from the last complete time." << exit(FatalError);
         }
         return result;
     }
@@ -63,7 +64,8 @@ namespace
             FatalErrorInFunction
                 << "The state of the points of rank " << Pstream::myProcNo()
                 << ", " << bytes.size() << " bytes, could not be sent to the"
-                << " first rank, which writes it." << exit(FatalError);
+                << " first rank, which writes it." << nl
+                << "    Continue from the last complete time." << exit(FatalError);
         }
     }
 
