@@ -141,7 +141,7 @@ TEST_F(tank, aGrainThatIsGoneIsMissingFromItsTrack)
 }
 
 
-TEST_F(tank, anIdThatNoGrainHasIsToldOnceThereAreGrains)
+TEST_F(tank, anIdThatNoGrainHasIsReportedOnceThereAreGrains)
 {
     functionObjects::grainTrack track
     (
@@ -326,7 +326,7 @@ TEST_F(tank, aRegionOrAPointOutsideTheMeshIsAnError)
 }
 
 
-TEST_F(tank, aTypeThatNoGrainHasIsToldOnceThereAreGrains)
+TEST_F(tank, aTypeThatNoGrainHasIsReportedOnceThereAreGrains)
 {
     grainSnapshot& g = grains_.grains;
     g = grainSnapshot(0);

@@ -114,7 +114,7 @@ TEST(materialPointsPhase, poresMayBeTighterThanTheirGrainsMakeThem)
 }
 
 
-TEST(materialPointsPhase, theBaseBearsTheWeightAndTheSnapshotTellsIt)
+TEST(materialPointsPhase, theBaseBearsTheWeightAndTheSnapshotHoldsIt)
 {
     testMesh box(slice());
     auto phase = points(box.mesh(), "box ((0 0 0) (1 1 0.2));");

@@ -185,7 +185,7 @@ TEST(misfitDesign, whatIsLargeIsNamedAndWhatIsSmallIsNot)
 }
 
 
-TEST(misfitDesign, mechanismsWithTheSameEffectAreNeverToldApart)
+TEST(misfitDesign, mechanismsWithTheSameEffectAreNeverSeparated)
 {
     mat effects(3, 2);
     effects << 5, 5, -6, -6, 7, 7;
@@ -208,7 +208,7 @@ TEST(misfitDesign, mechanismsWithTheSameEffectAreNeverToldApart)
 }
 
 
-TEST(misfitDesign, theChannelThatTellsThemApartHelpsMost)
+TEST(misfitDesign, theChannelThatSeparatesThemHelpsMost)
 {
     // c shows nothing, d one of both
     mat effects(4, 2);
@@ -277,7 +277,7 @@ TEST(misfitDesign, eachAnswerCountsOnceAndTheBrierScoreIsThatOfItsConfidences)
 }
 
 
-TEST(misfitDesign, aCandidateWhoseRunsFailIsToldAndHasNoRows)
+TEST(misfitDesign, aCandidateWhoseRunsFailIsReportedAndHasNoRows)
 {
     numbersWorld w(mat::Constant(1, 2, 3));
     w.failing = "1";

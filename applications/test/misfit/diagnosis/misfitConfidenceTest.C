@@ -117,7 +117,7 @@ TEST(misfitConfidence, theFitIsTheLikeliest)
 }
 
 
-TEST(misfitConfidence, whatTellsNothingInFewCasesIsShrunk)
+TEST(misfitConfidence, whatHoldsNothingInFewCasesIsShrunk)
 {
     mat x(4, 1);
     x << 0, 1, 2, 3;
@@ -247,7 +247,7 @@ TEST(misfitConfidence, anotherTableGivesAnotherConfidenceAndTheSameVerdict)
 }
 
 
-TEST(misfitConfidence, aTableThatIsMissingOrBrokenIsAnErrorThatSaysWhatToDo)
+TEST(misfitConfidence, aTableThatIsMissingOrBrokenIsAnErrorThatStatesWhatToDo)
 {
     const std::string missing
     (
@@ -326,7 +326,7 @@ TEST(misfitRules, aWrongOneIsRefused)
 }
 
 
-TEST(misfitRules, whereTheyAreNotFoundItSaysWhatToDo)
+TEST(misfitRules, whereTheyAreNotFoundItStatesWhatToDo)
 {
     const string before(getEnv("INTERDEMFOAM_DIR"));
     setEnv("INTERDEMFOAM_DIR", "/none", true);

@@ -137,7 +137,7 @@ TEST(misfitDiagnosis, aNamedEffectIsLocatedWithoutMostOfTheNoise)
 }
 
 
-TEST(misfitDiagnosis, theStateThatIsNamedIsTold)
+TEST(misfitDiagnosis, theStateThatIsNamedIsReported)
 {
     worldSampler s(truth(0, 0.7), 200, vec());
     const finding f(diagnose(s));
@@ -149,7 +149,7 @@ TEST(misfitDiagnosis, theStateThatIsNamedIsTold)
 }
 
 
-TEST(misfitDiagnosis, sensorsAloneCanBeAskedAfter)
+TEST(misfitDiagnosis, sensorsAloneCanBeExamined)
 {
     settings set(worldSettings());
     set.parameters.clear();
@@ -164,7 +164,7 @@ TEST(misfitDiagnosis, sensorsAloneCanBeAskedAfter)
 }
 
 
-TEST(misfitDiagnosis, whatTheseChannelsCannotTellApartIsASet)
+TEST(misfitDiagnosis, whatTheseChannelsCannotSeparateIsASet)
 {
     for (const bool confirmed : {true, false})
     {
@@ -181,7 +181,7 @@ TEST(misfitDiagnosis, whatTheseChannelsCannotTellApartIsASet)
 }
 
 
-TEST(misfitDiagnosis, strengthsOfASetAreToldWithWhatWasFitted)
+TEST(misfitDiagnosis, strengthsOfASetAreReportedWithWhatWasFitted)
 {
     worldSampler s(truth(0, 0.7), 200, vec());
     s.makeTwins();
@@ -197,7 +197,7 @@ TEST(misfitDiagnosis, strengthsOfASetAreToldWithWhatWasFitted)
 }
 
 
-TEST(misfitDiagnosis, aSetSaysWhatActsTogether)
+TEST(misfitDiagnosis, aSetStatesWhatActsTogether)
 {
     vec x(truth(0, 0.7));
     x[2 + 2] = 0.7;

@@ -66,7 +66,7 @@ TEST(misfitFailedRuns, whatTheSolverRefutesGivesWayToTheNextBest)
 }
 
 
-TEST(misfitFailedRuns, aFailedResolutionStopsItAndAFailedReplicateIsTold)
+TEST(misfitFailedRuns, aFailedResolutionStopsItAndAFailedReplicateIsReported)
 {
     settings set(worldSettings());
     set.resolutions = {"mesh"};

@@ -181,7 +181,7 @@ TEST(misfitRefit, whereTheSolverFailsOnTheWayHalfOfItIsTried)
 }
 
 
-TEST(misfitRefit, whereTheSolverFailsAtOnceTheFitStaysAndSaysWhy)
+TEST(misfitRefit, whereTheSolverFailsAtOnceTheFitStaysAndStatesWhy)
 {
     const evaluation s(steepSolver(1, 2).from(1));
     EXPECT_EQ(s.failure, "below the limit");

@@ -112,7 +112,7 @@ TEST(misfitSensorFault, oneThatShowsNothingAboveAValueIsSaturated)
 }
 
 
-TEST(misfitSensorFault, theOthersAreStillTold)
+TEST(misfitSensorFault, theOthersAreStillReported)
 {
     const vec f = trueP1();
     expectP1(diagnosed(1.3*f), verdictKind::sensor, faultKind::gain);
@@ -218,7 +218,7 @@ TEST(misfitSensorFault, anExchangeIsNotNamedWhereRivalsDisagreeAboutThePartner)
 }
 
 
-TEST(misfitSensorFault, faultsOfOneChannelSayTheSameButAnExchangeHasAPartner)
+TEST(misfitSensorFault, faultsOfOneChannelStateTheSameButAnExchangeHasAPartner)
 {
     const stacked data(world(20).data);
     const auto swapped(possibleFaults(data, {faultKind::swapped}));
@@ -262,7 +262,7 @@ TEST(misfitSensorFault, nothingHasNoUnitAndWhatMovesIsNotDead)
 }
 
 
-TEST(misfitSensorFault, whatItShowedIsToldInThreeDigits)
+TEST(misfitSensorFault, whatItShowedIsReportedInThreeDigits)
 {
     world w(20);
     w.data.y.setZero();
@@ -281,7 +281,7 @@ TEST(misfitSensorFault, whatItShowedIsToldInThreeDigits)
 }
 
 
-TEST(misfitSensorFault, itCanBeToldWhenWhatWasRecordedIsGone)
+TEST(misfitSensorFault, itCanBeReportedWhenWhatWasRecordedIsGone)
 {
     stacked data(world(20).data);
     data.y.setOnes();

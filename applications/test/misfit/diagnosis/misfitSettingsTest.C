@@ -30,7 +30,7 @@ bool isNamed(const std::string& entries, const std::string& present)
 } // End anonymous namespace
 
 
-TEST(misfitSettings, aFormerKeywordIsAnErrorThatSaysThePresentOne)
+TEST(misfitSettings, aFormerKeywordIsAnErrorThatNamesThePresentOne)
 {
     EXPECT_TRUE(isNamed("trigger 0.01;", "clockUncertainty"));
     EXPECT_TRUE(isNamed("packing ();", "replicateChanges"));
@@ -127,7 +127,7 @@ TEST(misfitSettings, anotherMeshHasReplicatesOnlyWhereRunsDifferByChance)
 }
 
 
-TEST(misfitSettings, replicatesThatDoNothingOrTellNoSpreadAreWarnedOf)
+TEST(misfitSettings, replicatesThatDoNothingOrHaveNoSpreadAreWarnedOf)
 {
     const auto output = [](const std::string& entries)
     {

@@ -165,7 +165,7 @@ TEST(misfitSeveralExperiments, whatFailsInOneFailsAndIsNamed)
 }
 
 
-TEST(misfitSeveralExperiments, whatOneCannotTellApartIsNamedByBoth)
+TEST(misfitSeveralExperiments, whatOneCannotSeparateIsNamedByBoth)
 {
     const recordings all(readAll(threeExperiments));
     contrary solver(all);

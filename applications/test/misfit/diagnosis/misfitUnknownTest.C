@@ -146,7 +146,7 @@ TEST(misfitUnknown, aPushThatNoCandidateIsIsFoundInItsPlace)
 }
 
 
-TEST(misfitUnknown, whereTheSolverFailsWithTheFittedPushThatOfTheSurfaceIsTold)
+TEST(misfitUnknown, whereTheSolverFailsWithTheFittedPushThatOfTheSurfaceIsReported)
 {
     HashTable<scalar> truth;
     truth.insert("push2_2", -45);
@@ -213,7 +213,7 @@ TEST(misfitUnknown, aLawIsNoSurerThanTheLimitOfWhatIsNotCalibrated)
 }
 
 
-TEST(misfitUnknown, aLawWithWhichTheSolverFailsIsToldAndNoOtherIsNamed)
+TEST(misfitUnknown, aLawWithWhichTheSolverFailsIsReportedAndNoOtherIsNamed)
 {
     const HashTable<scalar> truth(dragLaw(0, 0.2));
     correctedWorld w(truth, truth, 600);
@@ -276,7 +276,7 @@ TEST(misfitUnknown, aLawIsNotNamedWhereTheOtherExperimentGivesNoSamplesWithIt)
 }
 
 
-TEST(misfitUnknown, whatIsLeftMayBeAsMuchAsTheLimitWhereverItIsAsked)
+TEST(misfitUnknown, whatIsLeftMayBeAsMuchAsTheLimitWhereverItIsEvaluated)
 {
     settings set(poorSettings());
     set.leftIfConfirmed = 0;

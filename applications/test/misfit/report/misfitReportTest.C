@@ -76,7 +76,7 @@ TEST(misfitReport, oneFileHoldsWordsAndPictures)
 }
 
 
-TEST(misfitReport, theTopSaysWhichCaseWhenAndWhatWasRecorded)
+TEST(misfitReport, theTopStatesWhichCaseWhenAndWhatWasRecorded)
 {
     const std::string page(reportHtml(found(), today(), {}));
     EXPECT_TRUE(contains(page, "<h1>Simulation against recordings: a case</h1>"));
@@ -92,7 +92,7 @@ TEST(misfitReport, theTopSaysWhichCaseWhenAndWhatWasRecorded)
 }
 
 
-TEST(misfitReport, aCandidateIsToldByItsTitleAndWhatItSets)
+TEST(misfitReport, aCandidateIsReportedByItsTitleAndWhatItSets)
 {
     EXPECT_TRUE
     (
@@ -118,7 +118,7 @@ TEST(misfitReport, aCandidateIsToldByItsTitleAndWhatItSets)
 }
 
 
-TEST(misfitReport, theConfidenceSaysOfWhat)
+TEST(misfitReport, theConfidenceStatesOfWhat)
 {
     finding f(found());
     EXPECT_TRUE
@@ -160,7 +160,7 @@ TEST(misfitReport, theConfidenceSaysOfWhat)
 }
 
 
-TEST(misfitReport, theTopSaysWhatWasNotScored)
+TEST(misfitReport, theTopStatesWhatWasNotScored)
 {
     finding f(found());
     EXPECT_FALSE(contains(box(f), "Not scored"));
@@ -185,7 +185,7 @@ TEST(misfitReport, theTopSaysWhatWasNotScored)
 }
 
 
-TEST(misfitReport, aGateThatCouldNotBeAskedIsToldFromOneWithNothingToAsk)
+TEST(misfitReport, aGateThatCouldNotBeEvaluatedDiffersFromOneWithNothingToEvaluate)
 {
     finding f(found());
     f.tests.gates = gateList();

@@ -158,7 +158,7 @@ TEST(misfitRuns, whatCannotBeReadAsAFileIsNotCopied)
 }
 
 
-TEST(misfitRuns, aCaseIsCutAsItSaysItself)
+TEST(misfitRuns, aCaseIsCutAsItStatesItself)
 {
     // Without a mesh that is as far as it comes
     const std::string own("numberOfSubdomains 2; method scotch;\n");
@@ -210,7 +210,7 @@ TEST(misfitRuns, runsOfOtherProgramsAreNotUsedWithoutAWord)
 }
 
 
-TEST(misfitRuns, theTimeThatIsLeftIsThatOfTheseRunsAndNotToldAfterTheLast)
+TEST(misfitRuns, theTimeThatIsLeftIsThatOfTheseRunsAndNotReportedAfterTheLast)
 {
     const fakeCase c;
     fakePredictor solver(c, "jobs 1; ");
@@ -251,7 +251,7 @@ TEST(misfitRuns, aCaseThatIsEditedMeanwhileIsNotRun)
 }
 
 
-TEST(misfitRuns, aScriptOutsideTheCaseThatChangedIsToldOf)
+TEST(misfitRuns, aScriptOutsideTheCaseThatChangedIsReported)
 {
     const fakeCase c;
     const auto output = [&](const std::string& words)

@@ -249,7 +249,7 @@ TEST(misfitCovariance, correlatedSamplesCountForLess)
 }
 
 
-TEST(misfitScan, falseAlarmsAreAsFewAsSaid)
+TEST(misfitScan, falseAlarmsAreAsFewAsStated)
 {
     const world w;
     const covariance c(w.data, 0);

@@ -78,7 +78,7 @@ TEST(misfitFaults, aLagIsTheExactAnswerToARamp)
 }
 
 
-TEST(misfitFaults, theOthersDoWhatTheySay)
+TEST(misfitFaults, theOthersDoWhatTheyState)
 {
     world w;
     const segment& s = w.data.segments[0];

@@ -290,7 +290,7 @@ TEST(misfitFit, whatIsBeyondAllScoresIsAnError)
 }
 
 
-TEST(misfitFit, aBoundHoldsAndIsTold)
+TEST(misfitFit, aBoundHoldsAndIsReported)
 {
     straightLine l(threePoints());
     l.priorDeviation.setZero();

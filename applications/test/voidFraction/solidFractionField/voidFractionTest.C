@@ -354,7 +354,7 @@ TEST(voidFraction, keysOfSmoothingMayStayWhereThereIsNone)
 }
 
 
-TEST(voidFraction, formerNamesOfModelsAreErrorsThatSayThePresentOnes)
+TEST(voidFraction, formerNamesOfModelsAreErrorsThatNameThePresentOnes)
 {
     testMesh test(box());
     grainExchange exchange(test.mesh());
