@@ -213,13 +213,13 @@ Foam::functionObjects::bedErosion::carried(const bedGrains& bed) const
 
     forAll(bed.d, i)
     {
-        volume += constant::mathematical::pi*pow3(bed.d[i])/6;
+        volume += bed.volume[i];
         const vector& c = bed.centre[i];
         const scalar top = reference_.highest[grid.find(c.x(), c.y())];
 
         if (c.x() > reference_.end + bed.d[i] || c.z() > top + bed.d[i]/2)
         {
-            number.add(c.x(), 1);
+            number.add(c.x(), bed.partOfBody[i]);
             farthest = max(farthest, c.x());
         }
     }
@@ -330,7 +330,7 @@ bool Foam::functionObjects::bedErosion::sample()
         Lc, far.second(), grains.farthest(),
         moving.UMoving, moving.bouncing.U,
         extent.eroded*solid, extent.deposited*solid,
-        gSum((constant::mathematical::pi*pow3(grains.d)/6)()),
+        gSum(grains.volume),
         extent.raisedEnd, UBed
     };
     layerLine_ = layerLine(grains);

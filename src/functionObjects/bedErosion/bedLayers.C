@@ -42,8 +42,8 @@ Foam::bedLayers::bedLayers
               : stationary;
 
             ++layer.n;
-            layer.volume += bed.volume(i);
-            layer.U += bed.volume(i)*bed.U[i].x();
+            layer.volume += bed.volume[i];
+            layer.U += bed.volume[i]*bed.U[i].x();
         }
     }
 

@@ -203,7 +203,7 @@ Foam::scalar Foam::functionObjects::flumeFunctionObject::extent
             (
                 frame_.z(all.position[i]),
                 all.d[i]/2,
-                constant::mathematical::pi*pow3(all.d[i])/6
+                all.volume(i)
             );
         }
     }

@@ -199,7 +199,7 @@ Foam::flowThrough Foam::functionObjects::overflow::within
 
         if (share > 0)
         {
-            const scalar V = constant::mathematical::pi*pow3(all.d[i])/6;
+            const scalar V = all.volume(i);
             add(true, share*V, all.mass[i]/V, p.x(), frame_.components(all.U[i]));
         }
     }
@@ -256,7 +256,7 @@ Foam::functionObjects::overflow::heights() const
             (
                 p.z(),
                 all.d[i]/2,
-                share*constant::mathematical::pi*pow3(all.d[i])/6
+                share*all.volume(i)
             );
         }
     }

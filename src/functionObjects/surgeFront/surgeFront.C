@@ -151,7 +151,7 @@ Foam::strips Foam::functionObjects::surgeFront::solidThickness
         (
             frame_.x(all.position[i]),
             all.d[i]/2,
-            constant::mathematical::pi*pow3(all.d[i])/6
+            all.volume(i)
         );
     }
 
@@ -198,9 +198,10 @@ Foam::scalar Foam::functionObjects::surgeFront::meanDiameter
 
     for (const label i : chosen)
     {
-        const scalar d = grains().d[i];
-        d3 += pow3(d);
-        d4 += pow4(d);
+        const scalar d = grains().bodyDiameter(i);
+        const scalar part = grains().partOfBody(i);
+        d3 += part*pow3(d);
+        d4 += part*pow4(d);
     }
 
     reduce(d3, sumOp<scalar>());

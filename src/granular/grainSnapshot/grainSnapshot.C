@@ -12,6 +12,7 @@
 #include "OSspecific.H"
 #include "functionObject.H"
 #include "granularPhase.H"
+#include "mathematicalConstants.H"
 #include "passiveParticleCloud.H"
 
 const Foam::word Foam::grainSnapshot::cloudName("grains");
@@ -25,6 +26,8 @@ const string wallPrefix("wallForce.");
 
 //- Written where there are clumps
 const word clumpField("clump");
+const word shareField("share");
+const word clumpDiameterField("clumpDiameter");
 
 
 fileName cloudFolder()
@@ -337,6 +340,10 @@ Foam::autoPtr<Foam::grainSnapshot> Foam::grainSnapshot::read
     if (clumpsOnDisk(mesh))
     {
         readField(mesh, clumpField, grains.clump);
+        grains.share.setSize(grains.size());
+        readField(mesh, shareField, grains.share);
+        grains.clumpDiameter.setSize(grains.size());
+        readField(mesh, clumpDiameterField, grains.clumpDiameter);
     }
     readField(mesh, "U", grains.U);
     readField(mesh, "omega", grains.omega);
@@ -372,11 +379,16 @@ bool Foam::grainSnapshot::write
     if (hasClumps())
     {
         ok = writeField(mesh, clumpField, labelField(clump)) && ok;
+        ok = writeField(mesh, shareField, share) && ok;
+        ok = writeField(mesh, clumpDiameterField, clumpDiameter) && ok;
     }
     else
     {
         // Of a run before in this folder
-        rm(fieldIO(mesh, clumpField, IOobject::NO_READ).objectPath());
+        for (const word& field : {clumpField, shareField, clumpDiameterField})
+        {
+            rm(fieldIO(mesh, field, IOobject::NO_READ).objectPath());
+        }
     }
     ok = writeField(mesh, "U", U) && ok;
     ok = writeField(mesh, "omega", omega) && ok;
@@ -396,6 +408,12 @@ bool Foam::grainSnapshot::write
     }
 
     return returnReduce(ok, andOp<bool>());
+}
+
+
+Foam::scalar Foam::grainSnapshot::volume(const label i) const
+{
+    return partOfBody(i)*constant::mathematical::pi*pow3(bodyDiameter(i))/6;
 }
 
 

@@ -235,6 +235,8 @@ Foam::autoPtr<Foam::grainSnapshot> Foam::liggghtsPhase::snapshot() const
     if (clump_.size())
     {
         grains.clump = clump_;
+        grains.share = share_;
+        grains.clumpDiameter = 2*scalarField(clumpRadius_);
     }
 
     forAll(radius_, i)

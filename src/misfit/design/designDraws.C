@@ -4,11 +4,12 @@
 #include "designDraws.H"
 #include "diagnosis.H"
 #include "parallelWork.H"
-#include "words.H"
+
+#include "IStringStream.H"
+#include "OStringStream.H"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace
 {
@@ -63,6 +64,45 @@ labelList runningCandidates(sampler& simulation, const settings& set)
     return some;
 }
 
+
+//- The member of a set: its mechanisms, or the channel that it blames
+wordList namesOf(const hypothesis& h, const wordList& mechanisms)
+{
+    if (h.fault)
+    {
+        return wordList({h.fault->channel});
+    }
+    wordList names;
+    for (const int m : h.mechanisms)
+    {
+        names.append(mechanisms[m]);
+    }
+    return names;
+}
+
+
+//- An answer as text, for the process that counts
+std::string asText(const designAnswer& answer)
+{
+    OStringStream os;
+    os.precision(17);
+    os << label(answer.detected) << token::SPACE << label(answer.verdict) << token::SPACE
+        << answer.confidence << token::SPACE << answer.members;
+    return os.str();
+}
+
+
+designAnswer asAnswer(const std::string& text)
+{
+    IStringStream is(text);
+    designAnswer answer;
+    answer.detected = readLabel(is);
+    answer.verdict = verdictKind(readLabel(is));
+    answer.confidence = readScalar(is);
+    is >> answer.members;
+    return answer;
+}
+
 } // End anonymous namespace
 
 
@@ -85,7 +125,7 @@ Foam::wordList Foam::misfit::possibleChannels
 }
 
 
-std::string Foam::misfit::designDraws::answer
+Foam::misfit::designAnswer Foam::misfit::designDraws::answer
 (
     const simulatedRecordings& recordings,
     const simulatedCause& c,
@@ -101,52 +141,48 @@ std::string Foam::misfit::designDraws::answer
         simulation_, recordings.all(), recordings(c.mechanism, strength, draw), channels, true
     );
     const finding f(diagnose(some, set_));
-    std::ostringstream os;
-    os << f.tests.gates.passed(gateKind::detection) << ' ' << verdictNames[f.verdict.kind]
-        << ' ' << f.verdict.confidence;
-    if (f.verdict.kind == verdictKind::set)
+
+    designAnswer result;
+    result.detected = f.tests.gates.passed(gateKind::detection);
+    result.verdict = f.verdict.kind;
+    result.confidence = f.verdict.confidence;
+    if (result.verdict == verdictKind::set)
     {
-        // Each member by its mechanisms or its channel
         for (const hypothesisFit& w : f.verdict.alternatives)
         {
-            os << ' '
-                << (w.what.fault ? w.what.fault->channel : describe(w.what.known(), f.library));
-            os << ';';
+            result.members.append(namesOf(w.what, f.library));
         }
     }
-    else
+    else if (f.verdict.names.size())
     {
-        os << ' ' << joined(f.verdict.names, " and ") << ';';
+        result.members.append(f.verdict.names);
     }
-    return os.str();
+    return result;
 }
 
 
-void Foam::misfit::designDraws::count(designRow& row, const std::string& answer) const
+void Foam::misfit::designDraws::count(designRow& row, const designAnswer& answer) const
 {
-    std::istringstream is(answer);
-    bool detected = false;
-    std::string name;
-    scalar confidence = 0;
-    is >> detected >> name >> confidence;
-    const verdictKind verdict = verdictNames[word(name)];
     bool has = false;
-    for (std::string member; std::getline(is, member, ';');)
+    for (const wordList& member : answer.members)
     {
-        const word name(member.substr(std::min<size_t>(1, member.size())), false);
-        has = has || (name.size() && name == row.mechanism);
-        if (name.size() && name != row.mechanism)
+        if (row.mechanism.size() && member == wordList({row.mechanism}))
         {
-            ++row.others[name];
+            has = true;
+        }
+        else
+        {
+            ++row.others[std::vector<word>(member.begin(), member.end())];
         }
     }
+    const verdictKind verdict = answer.verdict;
     const bool right = has && row.mechanism.size();
     const bool isNone = verdict == verdictKind::none;
     const bool isUnknown = verdict == verdictKind::unknown;
     const bool isNamed = verdict == verdictKind::named && right;
     const bool blames = !isNone && !isUnknown;
     ++row.draws;
-    row.detected += detected;
+    row.detected += answer.detected;
     row.named += isNamed;
     row.inSet += verdict == verdictKind::set && right;
     row.wrong += blames && !right;
@@ -154,8 +190,8 @@ void Foam::misfit::designDraws::count(designRow& row, const std::string& answer)
     row.unknown += isUnknown;
     row.namedIn.push_back(isNamed);
     const bool isTrue = row.mechanism.empty() ? isNone : blames && right;
-    row.confidences += confidence;
-    row.squares += sqr(confidence - isTrue);
+    row.confidences += answer.confidence;
+    row.squares += sqr(answer.confidence - isTrue);
 }
 
 
@@ -220,11 +256,11 @@ Foam::misfit::designRow Foam::misfit::designDraws::row
     row.repeats = repeats;
     const auto work = [&](const label draw)
     {
-        return answer(recordings, c, channels, draw);
+        return asText(answer(recordings, c, channels, draw));
     };
     for (const std::string& one : inProcesses(design_.draws, jobs_, work))
     {
-        count(row, one);
+        count(row, asAnswer(one));
     }
     printProgress(row);
     return row;

@@ -204,7 +204,7 @@ TEST(misfitDesign, mechanismsWithTheSameEffectAreNeverSeparated)
         }
     }
     EXPECT_EQ(d.repeatsNeeded("0", 1), 0);
-    EXPECT_EQ(d.row("0", 1, 1).others.count("1"), 1);
+    EXPECT_EQ(d.row("0", 1, 1).others.count({"1"}), 1);
 }
 
 
