@@ -3,6 +3,8 @@
 
 #include "grainForces.H"
 
+#include <boost/math/tools/toms748_solve.hpp>
+
 namespace
 {
     using namespace Foam;
@@ -98,23 +100,70 @@ inline Foam::grainState Foam::grainForces::stateOf
     const scalar perRho = 1/fluid.rhoOfMomentum;
     const vector vorticity((1/fluid.rhoAround)*fluid.vorticity);
     const vector slip(perRho*fluid.momentum - meanVelocity_[i]);
-    const scalar d = 2*grain.clumpRadius/coarseGraining_;
-
-    // OpenFOAM's HerschelBulkley has none at all where it rests and has no
-    // yield stress; its limit there is nu0 or k, but this only avoids 0/0
-    const scalar mu = max(fluid.mu, SMALL);
 
     return grainState
     {
-        d,
+        2*grain.clumpRadius/coarseGraining_,
         slip,
         0.5*vorticity - grain.angularVelocity,
         vorticity,
         fluid.rho,
-        laws_.shear.isOn() ? laws_.shear.mu(mu, fluid.rho, d, mag(slip)) : mu,
+
+        // OpenFOAM's HerschelBulkley has none at all where it rests and has no
+        // yield stress; its limit there is nu0 or k, but this only avoids 0/0
+        max(fluid.mu, SMALL),
         fluid.voidFraction,
         dSauter/coarseGraining_
     };
+}
+
+
+inline void Foam::grainForces::shearLiquid
+(
+    const label i,
+    grainState& state,
+    const fluidAtGrain& fluid,
+    const flowAtGrain& flow,
+    const scalar interval
+) const
+{
+    const locatedGrain& grain = exchange_.grains()[i];
+    const scalar m = grain.mobile ? grain.mass : GREAT;
+    const scalar N3 = pow3(coarseGraining_)*grain.share;
+    const vector load
+    (
+        unsupportedLoad
+        (
+            grain, fluid.rhoAround, flow.viscousForce, mapping_.volumes()[i], Zero
+        )
+    );
+
+    // Of the slip at the interval's end, that of grain and fluid as they are now
+    const scalar momentum = mag(m*state.slip - interval*load);
+    const scalar muOfFlow = state.mu;
+
+    const auto excess = [&](const scalar slip)
+    {
+        state.mu = laws_.shear.mu(muOfFlow, state.rho, state.d, slip);
+        return (m + N3*laws_.drag->K(state)*interval)*slip - momentum;
+    };
+
+    const scalar atRest = laws_.shear.slipAtRest(state.d);
+    const scalar unbraked = momentum/m;
+
+    if (unbraked > atRest && excess(atRest) < 0)
+    {
+        boost::uintmax_t nSteps = 50;
+        const auto end = boost::math::tools::toms748_solve
+        (
+            excess, atRest, unbraked, boost::math::tools::eps_tolerance<scalar>(30), nSteps
+        );
+        excess(end.first);
+    }
+    else
+    {
+        excess(atRest);
+    }
 }
 
 
@@ -272,6 +321,10 @@ Foam::List<Foam::List<Foam::givenByGrain>> Foam::grainForces::coefficients
     (
         mapping_, laws_, fluid.rho, fluid.convection, fluid.viscousForce
     );
+    const auto flowOf = [&](const label i)
+    {
+        return flow.size() ? mapping_.mean(flow, i) : flowAtGrain();
+    };
     const label n = exchange_.grains().size();
     List<List<givenByGrain>> sums
     (
@@ -296,6 +349,11 @@ Foam::List<Foam::List<Foam::givenByGrain>> Foam::grainForces::coefficients
             fluids[k] = mapping_.mean(around, i);
             states[k] =
                 stateOf(i, fluids[k], dSauter.size() ? dSauter[i] : 1);
+
+            if (laws_.shear.isOn() && laws_.drag.valid())
+            {
+                shearLiquid(i, states[k], fluids[k], flowOf(i), interval);
+            }
         }
 
         laws_.dragCoefficients(states, K);
@@ -310,7 +368,7 @@ Foam::List<Foam::List<Foam::givenByGrain>> Foam::grainForces::coefficients
                 i,
                 states[k],
                 fluids[k],
-                flow.size() ? mapping_.mean(flow, i) : flowAtGrain(),
+                flowOf(i),
                 K[k],
                 lift[k],
                 interval

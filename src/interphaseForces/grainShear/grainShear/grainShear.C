@@ -17,8 +17,8 @@ namespace
 //  shear stress mu slip/d: 3.5 pi over 3 pi
 constexpr Foam::scalar atYield = 3.5/3;
 
-//- Shear rate below which a grain is at rest [1/s]: the force is finite there
-constexpr Foam::scalar atRest = 1e-12;
+//- Shear rate below which a grain is at rest [1/s]: the viscosity is finite there
+constexpr Foam::scalar restingRate = 1e-9;
 
 //- Viscosity over its limit from which on the liquid counts as at rest
 constexpr Foam::scalar limited = 1 - 1e-6;
@@ -118,12 +118,18 @@ Foam::scalar Foam::grainShear::mu
         min(max((rho - otherRho_)/(rho_ - otherRho_), scalar(0)), scalar(1));
     const scalar fromOther = (1 - share)*otherMu_;
 
-    const scalar rate = max(slip/d, atRest);
+    const scalar rate = max(slip/d, restingRate);
     const scalar own =
         fromOther + share*(yieldStress_ + k_*std::pow(rate, n_))/rate;
     const bool isLimited = mu >= fromOther + limited*share*muAtRest_;
 
     return mu + strength_*((isLimited ? own : min(own, mu)) - mu);
+}
+
+
+Foam::scalar Foam::grainShear::slipAtRest(const scalar d) const
+{
+    return restingRate*d;
 }
 
 
