@@ -41,7 +41,8 @@ Foam::clumpShape::clumpShape(const dictionary& dict, const scalar diameter)
     centres_(),
     radii_(),
     diameter_(diameter),
-    gyration_(0)
+    gyration_(0),
+    sphericity_(0)
 {
     if (dict.found("spheres") != (name_ == "cobble"))
     {
@@ -108,6 +109,7 @@ void Foam::clumpShape::scale()
     centres_ = factor*(centres_ - all.centre());
     radii_ *= factor;
     gyration_ = factor*std::sqrt(tr(all.inertia())/(3*all.volume()));
+    sphericity_ = all.sphericity();
 }
 
 

@@ -356,6 +356,7 @@ Foam::dictionary Foam::packingModel::properties
     {
         reached.add("clump", clump_->name());
         reached.add("nSpheres", spheres.size());
+        reached.add("sphericity", clump_->sphericity());
     }
     reached.add("material", material_);
     reached.add("nGrains", grains.size());

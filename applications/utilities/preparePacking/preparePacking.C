@@ -2,7 +2,7 @@
 // Makes the packings of system/packingDict and writes them as one LIGGGHTS data
 // file, constant/grains/data (without that folder constant/grains.data), clumps as
 // constant/grains/clumps and clumpTemplates, with constant/packingProperties beside
-// the folder.
+// the folder. Without a single sphere, constant/grains/box stands for the data.
 
 #include "clumpRelaxation.H"
 #include "grainsData.H"
@@ -282,6 +282,37 @@ label writeClumps
 }
 
 
+//- Write the spheres, or where all grains are clumps LIGGGHTS's commands for their box:
+//  it reads no data without a grain. What an earlier call wrote is replaced
+void writeSpheres
+(
+    const packedGrains& grains,
+    const boundBox& domain,
+    const label nMaterials,
+    const string& path
+)
+{
+    rm(path + "data");
+    rm(path + "box");
+    if (grains.size())
+    {
+        const fileName file(path + "data");
+        writeGrainsData(file, grains, domain, "Grains of preparePacking", nMaterials);
+        Info<< nl << grains.size() << " grains written to " << file << nl;
+        return;
+    }
+
+    std::ofstream os(path + "box");
+    os.precision(std::numeric_limits<scalar>::max_digits10);
+    os << "# The box of the grains of preparePacking\nregion preparePacking block";
+    for (direction d = 0; d < 3; ++d)
+    {
+        os << ' ' << domain.min()[d] << ' ' << domain.max()[d];
+    }
+    os << " units box\ncreate_box " << nMaterials << " preparePacking\n";
+}
+
+
 //- Most materials of the packings, and of the dictionary
 label nMaterials(const dictionary& dict, const UPtrList<namedPacking>& packings)
 {
@@ -386,19 +417,9 @@ int main(int argc, char* argv[])
     // In constant itself OpenFOAM's postProcess misses a header in it; cases that
     // have their scripts there read it there
     const string path(folder + (isDir(folder/"grains") ? "/grains/" : "/grains."));
-    const fileName file(path + "data");
-    writeGrainsData
-    (
-        file,
-        grains,
-        domain,
-        "Grains of preparePacking",
-        nMaterials(dict, packings)
-    );
-    const label nClumps = writeClumps(dict, packings, path);
     report(packings, runTime);
-
-    Info<< nl << grains.size() << " grains written to " << file << nl;
+    writeSpheres(grains, domain, nMaterials(dict, packings), path);
+    const label nClumps = writeClumps(dict, packings, path);
     if (nClumps)
     {
         Info<< nClumps << " clumps written to " << fileName(path + "clumps") << nl;
