@@ -121,7 +121,7 @@ TEST_P(clumpPacking, itsShapeHasTheVolumeOfTheSphereAndItsCentreAtTheOrigin)
     const scalar V = pi/6*pow3(0.03);
 
     EXPECT_NEAR(all.volume(), V, 1e-12*V);
-    EXPECT_LT(mag(all.centre()), 1e-16);
+    EXPECT_LT(mag(all.centre()), 1e-14);
     EXPECT_NEAR(shape.sphericity(), all.sphericity(), 1e-12);
     EXPECT_NEAR(sqr(shape.gyration()), tr(all.inertia())/(3*V), 1e-12*sqr(0.03));
 }
