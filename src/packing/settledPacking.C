@@ -56,6 +56,14 @@ Foam::settledPacking::settledPacking
     fraction_(dict.getOrDefault("solidFraction", pouredFraction)),
     nTiles_(readTiles())
 {
+    if (clump_)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "A bed that settles is one of spheres, not of clumps "
+            << clump_->name() << "." << nl
+            << "    Write type dense, and let the grains settle in the run; or leave"
+            << " clump out." << exit(FatalIOError);
+    }
     checkGrainVolume(box_);
     checkGravity();
 }

@@ -3,6 +3,7 @@
 
 #include "liggghtsClumps.H"
 
+#include "clumpInsertion.H"
 #include "clumpSums.H"
 #include "clumpTemplate.H"
 #include "fixStyles.H"
@@ -46,6 +47,7 @@ Foam::liggghtsClumps::liggghtsClumps(const liggghtsInstance& liggghts)
 void Foam::liggghtsClumps::addStyle(LAMMPS_NS::LAMMPS* lmp)
 {
     addFixStyle<clumpTemplate>(lmp);
+    addFixStyle<clumpInsertion>(lmp);
 }
 
 
