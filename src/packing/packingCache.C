@@ -91,13 +91,22 @@ Foam::packedGrains Foam::packingCache::obtain(const packingModel& model)
     const fileName kept(folder(model));
     packedGrains grains;
 
-    if (readGrainsData(kept/dataName, grains))
+    // A folder that lacks its clumps was not written to its end
+    const bool isWhole = !model.clump() || isFile(kept/clumpsName);
+    if (isWhole && readGrainsData(kept/dataName, grains))
     {
         if (model.clump())
         {
             for (const placedClump& clump : readClumpTable(kept/clumpsName))
             {
                 grains.orientation.append(clump.orientation);
+            }
+            if (grains.orientation.size() != grains.size())
+            {
+                FatalErrorInFunction
+                    << "The kept packing " << kept << " has " << grains.size()
+                    << " grains, but orientations of " << grains.orientation.size()
+                    << "." << nl << "    Remove that folder." << exit(FatalError);
             }
         }
         Info<< "    kept in " << kept << endl;

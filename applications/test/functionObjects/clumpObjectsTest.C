@@ -4,7 +4,6 @@
 #include "bedErosion.H"
 #include "displacedGrains.H"
 #include "grainTrack.H"
-#include "overflow.H"
 #include "surgeFront.H"
 #include "tank.H"
 #include "terminalOutput.H"
@@ -14,13 +13,13 @@ using namespace Foam;
 namespace
 {
 
-//- Each grain again at its place, the two as a clump of that volume
-void doubled(grainSnapshot& grains)
+//- Each grain again at its place, the two as a clump of so many diameters
+void doubled(grainSnapshot& grains, const scalar diameters)
 {
     const grainSnapshot alone(grains);
     const label n = alone.size();
     grains = grainSnapshot(2*n);
-    grains.share = scalarField(2*n, 0.5);
+    grains.share.setSize(2*n);
     grains.clumpDiameter.setSize(2*n);
 
     forAll(grains.id, i)
@@ -31,8 +30,10 @@ void doubled(grainSnapshot& grains)
         grains.clump[i] = k + 1;
         grains.position[i] = alone.position[k];
         grains.U[i] = alone.U[k];
-        grains.d[i] = grains.clumpDiameter[i] = alone.d[k];
-        grains.mass[i] = 0.5*alone.mass[k];
+        grains.d[i] = alone.d[k];
+        grains.clumpDiameter[i] = diameters*alone.d[k];
+        grains.share[i] = i < n ? 0.3 : 0.7;
+        grains.mass[i] = grains.share[i]*alone.mass[k];
     }
 }
 
@@ -67,34 +68,52 @@ TEST_F(tank, aClumpCountsOnceAmongTheGrains)
 }
 
 
-// Two spheres at one place are as one, for what takes volumes and numbers
+TEST_F(tank, aSphereOfAClumpStandsForItsShare)
+{
+    doubled(grains_.grains, 1.5);
+    const grainSnapshot& all = grains_.grains;
+    const scalar whole = constant::mathematical::pi/6*pow3(0.03);
+
+    EXPECT_EQ(all.bodyDiameter(3), 0.03);
+    EXPECT_EQ(all.partOfBody(103), 0.7);
+    EXPECT_NEAR(all.volume(3), 0.3*whole, 1e-12*whole);
+    EXPECT_NEAR(all.volume(103), 0.7*whole, 1e-12*whole);
+}
+
+
+// Two spheres at one place are as one
 TEST_F(tank, volumesAndNumbersAreThoseOfClumps)
 {
     placeLattice(20);
     grains_.grains.mass = 1;
-    grains_.grains.U = vector(0.5, 0, 0);
     const auto lines = [&](const word& name)
     {
         functionObjects::surgeFront front
         (
             "front" + name, box_.time(), dict("front quantile; thickness mixture;")
         );
-        functionObjects::bedErosion bed("bed" + name, box_.time(), dict("types (1);"));
-        functionObjects::overflow over("over" + name, box_.time(), dict("x 0.2;"));
-        for (functionObject* one : {(functionObject*)&front, (functionObject*)&bed, (functionObject*)&over})
-        {
-            one->execute();
-            one->write();
-        }
+        functionObjects::bedErosion bed
+        (
+            "bed" + name, box_.time(), dict("bedTypes (1);")
+        );
+        front.execute();
+        front.write();
+        bed.execute();
+        bed.write();
+
         scalarList all(lastLine("front" + name, "surgeFront"));
         all.append(lastLine("bed" + name, "bedErosion"));
-        all.append(lastLine("over" + name, "overflow"));
         return all;
     };
+    const auto solid = [&](const word& name)
+    {
+        const scalarList line(lastLine("front" + name, "surgeFront"));
+        return line[9] - line[8];
+    };
 
+    const grainSnapshot lattice(grains_.grains);
     const scalarList alone(lines("Alone"));
-    doubled(grains_.grains);
-    grains_.radii = scalarField(grains_.grains.size(), 0.01);
+    doubled(grains_.grains, 1);
     ++box_.time();
     const scalarList clumps(lines("Clumps"));
 
@@ -104,4 +123,11 @@ TEST_F(tank, volumesAndNumbersAreThoseOfClumps)
     {
         EXPECT_NEAR(clumps[i], alone[i], 1e-9*(1 + mag(alone[i]))) << i;
     }
+
+    // Larger clumps have more volume
+    grains_.grains = lattice;
+    doubled(grains_.grains, 1.5);
+    ++box_.time();
+    lines("Large");
+    EXPECT_NEAR(solid("Large"), pow3(1.5)*solid("Alone"), 1e-6*solid("Large"));
 }

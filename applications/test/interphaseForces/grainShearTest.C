@@ -2,11 +2,14 @@
 // Viscosity of a liquid with a yield stress at a grain that moves through it.
 
 #include "grainShear.H"
+#include "interphaseForces.H"
+#include "standingGrains.H"
 #include "terminalOutput.H"
 #include "testMesh.H"
 
 #include "IStringStream.H"
 #include "OFstream.H"
+#include "OSspecific.H"
 #include "mathematicalConstants.H"
 
 #include <cmath>
@@ -35,6 +38,7 @@ struct mud
 
     explicit mud(const scalar n = 1, const string& model = "HerschelBulkley")
     {
+        mkDir(box.folder()/"constant");
         OFstream(box.folder()/"constant"/"transportProperties")()
             << "FoamFile { version 2.0; format ascii; class dictionary;"
             << " object transportProperties; }\n"
@@ -56,6 +60,86 @@ std::string refused(const scalar n, const string& model)
 {
     const mud liquid(n, model);
     return refusal([&]() { liquid.law(); });
+}
+
+//- A sphere in a box of fluid
+struct sphereInMud
+:
+    mud
+{
+    static constexpr scalar interval = 1e-3;
+
+    static constexpr scalar mass = 0.01;
+
+    standingGrains phase;
+
+    grainExchange exchange;
+
+    autoPtr<solidFractionField> solids;
+
+    autoPtr<interphaseForces> forces;
+
+    explicit sphereInMud(const bool mobile)
+    :
+        phase(box.mesh()),
+        exchange(box.mesh())
+    {
+        phase.grains = grainSnapshot(1);
+        phase.grains.id = identity(1);
+        phase.grains.position = point(0.4, 0.4, 0.4);
+        phase.grains.mass = mass;
+        phase.radii = scalarField(1, 0.5*d);
+        if (!mobile)
+        {
+            phase.held.insert(0);
+        }
+        exchange.locate(phase);
+        const auto entries = [](const string& text)
+        {
+            return dictionary(IStringStream(text)());
+        };
+        solids.reset
+        (
+            new solidFractionField
+            (
+                exchange, entries("model centroid; smoothing { model none; }")
+            )
+        );
+        solids->update();
+        forces.reset
+        (
+            new interphaseForces
+            (
+                exchange,
+                *solids,
+                entries("drag { model SchillerNaumann; } grainShear { }"),
+                vector(Zero),
+                1
+            )
+        );
+    }
+
+    //- In fluid of that density and viscosity, which moves along x with U
+    scalar force(const scalar U, const scalar density, const scalar mu)
+    {
+        const label n = box.mesh().nCells();
+        const vectorField none(n, Zero);
+        const scalarField one(n, 1);
+        const vectorField moving(n, vector(U, 0, 0));
+        forces->prepare
+        (
+            fluidFields{density*one, mu*one, one, moving, none, none, none}, interval
+        );
+        forces->finish(fluidMeans{moving, none, none, none, density*one, Zero});
+        return forces->force()[0].x();
+    }
+};
+
+
+//- Drag of Schiller & Naumann [N]
+scalar drag(const scalar U, const scalar density, const scalar mu)
+{
+    return 3*M_PI*mu*d*U*(1 + 0.15*std::pow(density*U*d/mu, 0.687));
 }
 
 } // End anonymous namespace
@@ -143,4 +227,47 @@ TEST(grainShear, refusesOtherLiquids)
     expectHolds(newtonian, "mud is Newtonian");
     expectHolds(newtonian, "take grainShear out");
     expectHolds(refused(1.5, "HerschelBulkley"), "n is 1.5");
+}
+
+
+TEST(grainShear, aFrozenGrainHasTheDragOfItsSlip)
+{
+    sphereInMud sphere(false);
+    const grainShear law(sphere.law());
+
+    for (scalar U = 1e-6; U < 1; U *= 1.07)
+    {
+        const scalar exact = drag(U, rho, law.mu(atRest, rho, d, U));
+        EXPECT_NEAR(sphere.force(U, rho, atRest), exact, 1e-9*exact) << U;
+    }
+}
+
+
+TEST(grainShear, mudStopsAGrainWithinAnIntervalWhereItHoldsIt)
+{
+    sphereInMud sphere(true);
+    const scalar held = 3.5*M_PI*sqr(d)*tau0*sphere.interval/sphere.mass;
+
+    // All of the slip, as the yield stress takes more momentum in an interval
+    const scalar slow = 0.5*held;
+    EXPECT_NEAR
+    (
+        sphere.force(slow, rho, atRest)*sphere.interval, sphere.mass*slow,
+        1e-3*sphere.mass*slow
+    );
+
+    // The yield stress and what viscosity adds to it
+    const scalar fast = 2*held;
+    const scalar force = sphere.force(fast, rho, atRest);
+    const scalar left = fast - force*sphere.interval/sphere.mass;
+    EXPECT_GT(left, 0);
+    EXPECT_NEAR(force, drag(left, rho, sphere.law().mu(atRest, rho, d, left)), 1e-4*force);
+}
+
+
+TEST(grainShear, aGrainInAirHasTheDragOfAir)
+{
+    sphereInMud sphere(false);
+    const scalar exact = drag(2, airRho, airMu);
+    EXPECT_NEAR(sphere.force(2, airRho, airMu), exact, 1e-9*exact);
 }

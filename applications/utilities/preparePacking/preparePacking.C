@@ -83,6 +83,23 @@ boundBox readDomain(const dictionary& dict, const Time& runTime)
 }
 
 
+//- Fatal where LIGGGHTS does not take the name of a packing for that of a template
+void checkName(const dictionary& dict, const word& name)
+{
+    for (const char c : name)
+    {
+        if (!std::isalnum(c) && c != '_')
+        {
+            FatalIOErrorInFunction(dict)
+                << "The packing of clumps " << name << " has a name with '" << c
+                << "' in it, which LIGGGHTS does not take." << nl
+                << "    Name it with letters, digits and _ alone."
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
 PtrList<namedPacking> makePackings(const dictionary& dict, const vector& g)
 {
     PtrList<namedPacking> packings;
@@ -95,6 +112,10 @@ PtrList<namedPacking> makePackings(const dictionary& dict, const vector& g)
             autoPtr<namedPacking> next(new namedPacking);
             next->name = e.keyword();
             next->model = packingModel::New(e.dict(), g);
+            if (next->model->clump())
+            {
+                checkName(dict, next->name);
+            }
             next->grains = packingCache::obtain(next->model());
             packings.append(next.ptr());
         }
@@ -225,19 +246,18 @@ packedGrains joined
 }
 
 
-//- Fatal where LIGGGHTS does not take the name of a packing for that of a template
-void checkName(const dictionary& dict, const word& name)
+//- Write a text to a file that replaces an earlier one. Fatal where it is not complete
+void writeText(const fileName& file, const std::string& text)
 {
-    for (const char c : name)
+    const fileName aside(file + ".incomplete");
+    std::ofstream os(aside);
+    os << text;
+    os.close();
+    if (!os || !mv(aside, file))
     {
-        if (!std::isalnum(c) && c != '_')
-        {
-            FatalIOErrorInFunction(dict)
-                << "The packing of clumps " << name << " has a name with '" << c
-                << "' in it, which LIGGGHTS does not take." << nl
-                << "    Name it with letters, digits and _ alone."
-                << exit(FatalIOError);
-        }
+        FatalErrorInFunction
+            << "Could not write " << file
+            << ": is the disk full, may the folder be written to?" << exit(FatalError);
     }
 }
 
@@ -262,7 +282,6 @@ label writeClumps
         const packingModel& model = *packing.model;
         if (model.clump())
         {
-            checkName(dict, packing.name);
             clumps.append(placedClumps(packing.name, packing.grains));
             model.clump()->writeTemplate
             (
@@ -276,7 +295,7 @@ label writeClumps
     if (n)
     {
         writeClumpTable(path + "clumps", clumps);
-        std::ofstream(path + "clumpTemplates") << templates.str();
+        writeText(path + "clumpTemplates", templates.str());
     }
     return clumps.size();
 }
@@ -302,7 +321,7 @@ void writeSpheres
         return;
     }
 
-    std::ofstream os(path + "box");
+    std::ostringstream os;
     os.precision(std::numeric_limits<scalar>::max_digits10);
     os << "# The box of the grains of preparePacking\nregion preparePacking block";
     for (direction d = 0; d < 3; ++d)
@@ -310,6 +329,7 @@ void writeSpheres
         os << ' ' << domain.min()[d] << ' ' << domain.max()[d];
     }
     os << " units box\ncreate_box " << nMaterials << " preparePacking\n";
+    writeText(path + "box", os.str());
 }
 
 

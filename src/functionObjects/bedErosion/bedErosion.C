@@ -279,7 +279,7 @@ Foam::functionObjects::bedErosion::layerLine(const bedGrains& bed) const
     for (const bedLayer& l : {in.bouncing, in.creeping, in.stationary})
     {
         const scalar thickness = l.volume/(reference_.packing*width_*(x2 - x1));
-        line.append(scalarList({thickness, l.U, scalar(l.n)}));
+        line.append(scalarList({thickness, l.U, l.n}));
     }
     return line;
 }

@@ -105,6 +105,18 @@ Foam::DynamicList<Foam::placedClump> Foam::readClumpTable(const fileName& file)
     {
         result.append(next);
     }
+    bool more = false;
+    while (result.size() == n && std::getline(is, line))
+    {
+        more = more || line.find_first_not_of(" \t\r") != std::string::npos;
+    }
+    if (more)
+    {
+        FatalErrorInFunction
+            << file << " has more lines than the " << n << " clumps of its first line."
+            << nl << "    Correct that number, or run preparePacking again to write the"
+            << " file." << exit(FatalError);
+    }
     if (result.size() != n)
     {
         FatalErrorInFunction

@@ -170,18 +170,36 @@ wordList allNames(wordList names)
 }
 
 
-//- True where the written grains have clumps, on any rank
-bool clumpsOnDisk(const fvMesh& mesh)
+//- True where the written grains have a field, on any rank
+bool isOnDisk(const fvMesh& mesh, const word& field)
 {
     const fileName path
     (
         fileHandler().filePath
         (
-            mesh.time().timePath()/mesh.dbDir()/cloudFolder()/clumpField
+            mesh.time().timePath()/mesh.dbDir()/cloudFolder()/field
         )
     );
 
     return returnReduce(!path.empty(), orOp<bool>());
+}
+
+
+//- Fatal where clumps were written without their shares
+void checkShares(const fvMesh& mesh)
+{
+    for (const word& field : {shareField, clumpDiameterField})
+    {
+        if (!isOnDisk(mesh, field))
+        {
+            FatalErrorInFunction
+                << "The grains of time " << mesh.time().timeName()
+                << " are clumps, but lack the field " << field << " in "
+                << cloudFolder() << "." << nl
+                << "    A version without it wrote them: run the case again, or take this"
+                << " time out." << exit(FatalError);
+        }
+    }
 }
 
 
@@ -337,9 +355,10 @@ Foam::autoPtr<Foam::grainSnapshot> Foam::grainSnapshot::read
 
     readField(mesh, "id", grains.id);
     readField(mesh, "type", grains.type);
-    if (clumpsOnDisk(mesh))
+    if (isOnDisk(mesh, clumpField))
     {
         readField(mesh, clumpField, grains.clump);
+        checkShares(mesh);
         grains.share.setSize(grains.size());
         readField(mesh, shareField, grains.share);
         grains.clumpDiameter.setSize(grains.size());

@@ -139,6 +139,11 @@ void Foam::clumpInsertion::pre_exchange()
     mapSpheres();
     bodies.add_body_finalize();
 
+    // What is inserted needs no table; the kinds of clumps are still known
+    clumps_.clearStorage();
+    std::sort(templates_.begin(), templates_.end());
+    templates_.erase(std::unique(templates_.begin(), templates_.end()), templates_.end());
+
     // A sphere may be on another rank than the centre: insertions to come look for it there
     LAMMPS_NS::Irregular spheres(lmp);
     if (spheres.migrate_check())

@@ -4,6 +4,7 @@
 #include "grainForces.H"
 
 #include <boost/math/tools/toms748_solve.hpp>
+#include <cstdint>
 
 namespace
 {
@@ -128,20 +129,24 @@ inline void Foam::grainForces::shearLiquid
 ) const
 {
     const locatedGrain& grain = exchange_.grains()[i];
-    const scalar m = grain.mobile ? grain.mass : GREAT;
+    const scalar muOfFlow = state.mu;
+    if (!grain.mobile)
+    {
+        state.mu = laws_.shear.mu(muOfFlow, state.rho, state.d, mag(state.slip));
+        return;
+    }
+
+    const scalar volume = mapping_.volumes()[i];
     const scalar N3 = pow3(coarseGraining_)*grain.share;
+    const scalar m =
+        grain.mass + laws_.virtualMassCoefficient(state)*state.rho*volume;
     const vector load
     (
-        unsupportedLoad
-        (
-            grain, fluid.rhoAround, flow.viscousForce, mapping_.volumes()[i], Zero
-        )
+        unsupportedLoad(grain, fluid.rhoAround, flow.viscousForce, volume, Zero)
     );
-
-    // Of the slip at the interval's end, that of grain and fluid as they are now
     const scalar momentum = mag(m*state.slip - interval*load);
-    const scalar muOfFlow = state.mu;
 
+    // Momentum of the slip at the interval's end, and what drag takes, over what there is
     const auto excess = [&](const scalar slip)
     {
         state.mu = laws_.shear.mu(muOfFlow, state.rho, state.d, slip);
@@ -150,19 +155,27 @@ inline void Foam::grainForces::shearLiquid
 
     const scalar atRest = laws_.shear.slipAtRest(state.d);
     const scalar unbraked = momentum/m;
-
-    if (unbraked > atRest && excess(atRest) < 0)
-    {
-        boost::uintmax_t nSteps = 50;
-        const auto end = boost::math::tools::toms748_solve
-        (
-            excess, atRest, unbraked, boost::math::tools::eps_tolerance<scalar>(30), nSteps
-        );
-        excess(end.first);
-    }
-    else
+    const scalar low = unbraked > atRest ? excess(atRest) : 0;
+    if (low >= 0)
     {
         excess(atRest);
+        return;
+    }
+    const scalar high = excess(unbraked);
+    if (high > 0)
+    {
+        std::uintmax_t nSteps = 50;
+        const auto end = boost::math::tools::toms748_solve
+        (
+            excess,
+            atRest,
+            unbraked,
+            low,
+            high,
+            boost::math::tools::eps_tolerance<scalar>(30),
+            nSteps
+        );
+        excess(end.first);
     }
 }
 

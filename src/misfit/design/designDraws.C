@@ -5,17 +5,16 @@
 #include "diagnosis.H"
 #include "parallelWork.H"
 
-#include "IStringStream.H"
-#include "OStringStream.H"
-
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace
 {
 
 using namespace Foam;
 using namespace Foam::misfit;
+using nlohmann::json;
 
 //- No words on the terminal while it exists
 class silence
@@ -81,25 +80,42 @@ wordList namesOf(const hypothesis& h, const wordList& mechanisms)
 }
 
 
-//- An answer as text, for the process that counts
+//- An answer in one line, for the process that counts
 std::string asText(const designAnswer& answer)
 {
-    OStringStream os;
-    os.precision(17);
-    os << label(answer.detected) << token::SPACE << label(answer.verdict) << token::SPACE
-        << answer.confidence << token::SPACE << answer.members;
-    return os.str();
+    json members = json::array();
+    for (const wordList& member : answer.members)
+    {
+        members.push_back(std::vector<std::string>(member.begin(), member.end()));
+    }
+    return json
+    (
+        {
+            {"detected", answer.detected},
+            {"verdict", int(answer.verdict)},
+            {"confidence", answer.confidence},
+            {"members", members}
+        }
+    ).dump();
 }
 
 
 designAnswer asAnswer(const std::string& text)
 {
-    IStringStream is(text);
+    const json record(json::parse(text));
     designAnswer answer;
-    answer.detected = readLabel(is);
-    answer.verdict = verdictKind(readLabel(is));
-    answer.confidence = readScalar(is);
-    is >> answer.members;
+    answer.detected = record["detected"].get<bool>();
+    answer.verdict = verdictKind(record["verdict"].get<int>());
+    answer.confidence = record["confidence"].get<double>();
+    for (const json& member : record["members"])
+    {
+        wordList names;
+        for (const json& name : member)
+        {
+            names.append(word(name.get<std::string>(), false));
+        }
+        answer.members.append(names);
+    }
     return answer;
 }
 

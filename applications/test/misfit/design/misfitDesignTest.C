@@ -205,6 +205,11 @@ TEST(misfitDesign, mechanismsWithTheSameEffectAreNeverSeparated)
     }
     EXPECT_EQ(d.repeatsNeeded("0", 1), 0);
     EXPECT_EQ(d.row("0", 1, 1).others.count({"1"}), 1);
+
+    // Answers of other processes come back whole
+    const experimentDesign two(designExperiment(w, settingsFor(2), design, 2));
+    EXPECT_EQ(two.row("0", 1, 1).inSet, d.row("0", 1, 1).inSet);
+    EXPECT_EQ(two.row("0", 1, 1).others, d.row("0", 1, 1).others);
 }
 
 

@@ -70,7 +70,17 @@ Foam::grainShear::grainShear(const fvMesh& mesh, const dictionary& dict)
             << exit(FatalIOError);
     }
 
-    const dictionary& law = liquid.subDict("HerschelBulkleyCoeffs");
+    const word otherModel(other.getOrDefault<word>("transportModel", "Newtonian"));
+    if (otherModel != "Newtonian")
+    {
+        FatalIOErrorInFunction(other)
+            << "interphaseForces/grainShear in constant/granularProperties is written"
+            << " for a Newtonian second phase, and " << phases[1] << " is "
+            << otherModel << "." << nl
+            << "    Give it that model, or take grainShear out." << exit(FatalIOError);
+    }
+
+    const dictionary& law = liquid.optionalSubDict("HerschelBulkleyCoeffs");
     rho_ = dimensionedScalar("rho", dimDensity, liquid).value();
     otherRho_ = dimensionedScalar("rho", dimDensity, other).value();
     otherMu_ = otherRho_*dimensionedScalar("nu", dimViscosity, other).value();
@@ -93,6 +103,14 @@ void Foam::grainShear::check(const dictionary& law) const
             << " liquids that thin as they are sheared." << nl
             << "    Give an n above 0 and up to 1, or take grainShear out of"
             << " constant/granularProperties." << exit(FatalIOError);
+    }
+    if (yieldStress_ <= 0 || k_ < 0 || muAtRest_ <= 0)
+    {
+        FatalIOErrorInFunction(law)
+            << "A yield stress tau0 and a viscosity at rest nu0 above 0, and a k of 0 or"
+            << " more, are what interphaseForces/grainShear is written for." << nl
+            << "    Correct them, or take grainShear out of constant/granularProperties."
+            << exit(FatalIOError);
     }
     if (rho_ == otherRho_)
     {
