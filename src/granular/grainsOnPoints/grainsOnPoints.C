@@ -126,7 +126,7 @@ Foam::grainsOnPoints::grainsOnPoints
         dict_,
         g,
         stepsPerExchange,
-        [this](const grainsInStep& grains) { inStep(grains); }
+        [this](const grainsInStep& grains) { coupleInDemStep(grains); }
     ),
     points_
     (
@@ -202,7 +202,7 @@ Foam::label Foam::grainsOnPoints::begins(const label k) const
 }
 
 
-void Foam::grainsOnPoints::inStep(const grainsInStep& grains)
+void Foam::grainsOnPoints::coupleInDemStep(const grainsInStep& grains)
 {
     const pointGrid& grid = points_.method().grid();
     const pointSet& points = points_.method().points();

@@ -44,7 +44,7 @@ void Foam::fixStepForce::post_force(int vflag)
     grains.force = vector(Zero);
     grains.torque = vector(Zero);
 
-    liggghtsErrors::outside([&]() { forces_(grains); });
+    liggghtsErrors::runOutside([&]() { forces_(grains); });
 
     fixFluidForce::post_force(vflag);
 }

@@ -220,7 +220,7 @@ void Foam::liggghtsInstance::setup()
     update.endstep = update.laststep;
 
     lmp_->init();
-    liggghtsErrors::outside([this]() { checkBins(); });
+    liggghtsErrors::runOutside([this]() { checkBins(); });
 
     // Without a grain nothing has a size, and there are no bins to sort grains into
     // until a setup finds one

@@ -138,7 +138,7 @@ void Foam::liggghtsPhase::createGrains()
         liggghts_.script(initialScript_, mesh_.time().globalPath());
     }
 
-    liggghtsChecks::boundary(liggghts_, boundary, initialScript_);
+    liggghtsChecks::checkBoundary(liggghts_, boundary, initialScript_);
 }
 
 
@@ -181,7 +181,7 @@ void Foam::liggghtsPhase::setVariables()
 
 void Foam::liggghtsPhase::addCouplingFixes()
 {
-    liggghtsChecks::noConflictingFixes(liggghts_, physicsScript_);
+    liggghtsChecks::checkNoConflictingFixes(liggghts_, physicsScript_);
 
     if (mag(g_) > SMALL)
     {

@@ -106,7 +106,7 @@ namespace
 }
 
 
-void Foam::liggghtsChecks::noDuplicateWall
+void Foam::liggghtsChecks::checkNoDuplicateWall
 (
     liggghtsInstance& liggghts,
     const polyPatch& patch,
@@ -148,7 +148,7 @@ void Foam::liggghtsChecks::noDuplicateWall
 }
 
 
-void Foam::liggghtsChecks::noOtherSurfaces(const fileName& script)
+void Foam::liggghtsChecks::checkNoOtherSurfaces(const fileName& script)
 {
     for (const liggghtsScript::wall& wall : liggghtsScript::walls(script))
     {
@@ -167,7 +167,7 @@ void Foam::liggghtsChecks::noOtherSurfaces(const fileName& script)
 }
 
 
-void Foam::liggghtsChecks::surfacesAreThere
+void Foam::liggghtsChecks::checkSurfaces
 (
     liggghtsInstance& liggghts,
     const wordList& names,
@@ -200,7 +200,7 @@ void Foam::liggghtsChecks::surfacesAreThere
 }
 
 
-void Foam::liggghtsChecks::noUnusedSurfaces
+void Foam::liggghtsChecks::checkNoUnusedSurfaces
 (
     liggghtsInstance& liggghts,
     const fileName& script
