@@ -5,6 +5,7 @@
 
 #include "addToRunTimeSelectionTable.H"
 #include "grainSnapshot.H"
+#include "hasFluid.H"
 #include "keywords.H"
 #include "periodicity.H"
 
@@ -46,7 +47,7 @@ Foam::dictionary Foam::grainsOnPoints::settings
     const dictionary& dict
 )
 {
-    if (dict.getOrDefault<word>("fluid", "volumeOfFluid") != "none")
+    if (hasFluid(dict))
     {
         FatalIOErrorInFunction(dict)
             << "Grains on material points are computed without a fluid." << nl
