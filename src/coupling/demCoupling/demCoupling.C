@@ -151,7 +151,7 @@ void Foam::demCoupling::startAlone() const
     const dictionary& control = mesh_.time().controlDict();
     const scalar deltaT = control.get<scalar>("deltaT");
     const scalar interval = clock_->interval();
-    if (mag(deltaT - interval) > 1e-6*interval)
+    if (mag(deltaT - interval) > exchangeClock::roundOff*interval)
     {
         IOWarningInFunction(control)
             << "deltaT " << deltaT << " s is not used: without a fluid a step is an"
