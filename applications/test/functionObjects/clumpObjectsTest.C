@@ -81,7 +81,11 @@ TEST_F(tank, volumesAndNumbersAreThoseOfClumps)
         );
         functionObjects::bedErosion bed("bed" + name, box_.time(), dict("types (1);"));
         functionObjects::overflow over("over" + name, box_.time(), dict("x 0.2;"));
-        for (functionObject* one : {(functionObject*)&front, (functionObject*)&bed, (functionObject*)&over})
+        for
+        (
+            functionObject* one :
+            {(functionObject*)&front, (functionObject*)&bed, (functionObject*)&over}
+        )
         {
             one->execute();
             one->write();

@@ -139,7 +139,8 @@ void Foam::clumpInsertion::pre_exchange()
     mapSpheres();
     bodies.add_body_finalize();
 
-    // A sphere may be on another rank than the centre: insertions to come look for it there
+    // A sphere may be on another rank than the centre: insertions to come look for it
+    // there
     LAMMPS_NS::Irregular spheres(lmp);
     if (spheres.migrate_check())
     {

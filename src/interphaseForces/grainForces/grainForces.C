@@ -156,7 +156,11 @@ inline void Foam::grainForces::shearLiquid
         boost::uintmax_t nSteps = 50;
         const auto end = boost::math::tools::toms748_solve
         (
-            excess, atRest, unbraked, boost::math::tools::eps_tolerance<scalar>(30), nSteps
+            excess,
+            atRest,
+            unbraked,
+            boost::math::tools::eps_tolerance<scalar>(30),
+            nSteps
         );
         excess(end.first);
     }

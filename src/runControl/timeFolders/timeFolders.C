@@ -175,7 +175,8 @@ void Foam::timeFolders::putIncompleteAside(const argList& args)
     compatibility::barrier();
 
     Info<< "Time " << latest << " was not written completely (killed, a"
-        << " full disk, or a flow that diverged?): it is now " << latest << ".incomplete," << nl
+        << " full disk, or a flow that diverged?): it is now " << latest
+        << ".incomplete," << nl
         << "    and this run goes on from " << complete << nl << endl;
 }
 

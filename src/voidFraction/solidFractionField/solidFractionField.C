@@ -109,7 +109,8 @@ void Foam::solidFractionField::reportSpread(const scalar share)
     const string where(fullest());
     OStringStream os;
     os  << 100*share << " % of the solid volume is spread over neighbouring cells"
-        << ", since the void fraction would be below the minimum of " << minimum_ << "." << nl
+        << ", since the void fraction would be below the minimum of " << minimum_ << "."
+        << nl
         << "    " << where.c_str() << "." << nl;
     const string what(os.str());
     const char* const advice =
