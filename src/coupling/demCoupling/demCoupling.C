@@ -85,7 +85,7 @@ Foam::demCoupling::demCoupling
     nEntered_(0),
     largestWarned_(0)
 {
-    // On written data grains are read where they are looked at
+    // On written data grains are read by what needs them
     if (functionObject::postProcess)
     {
         return;

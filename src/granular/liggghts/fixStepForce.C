@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A LIGGGHTS fix that asks the program for forces on grains in each DEM step.
+// A LIGGGHTS fix that calls the program for forces on grains in each DEM step.
 
 #include "fixStepForce.H"
 

@@ -194,7 +194,7 @@ void Foam::liggghtsPhase::addCouplingFixes()
 
     walls_.add(liggghts_);
 
-    // Evaluated only where a snapshot asks for it
+    // Evaluated only where a snapshot needs it
     liggghts_.command
     (
         "compute interDEMFoamContacts all pair/gran/local pos id force"

@@ -38,8 +38,8 @@ namespace
          || surface.triMesh()->isInsertionMesh();
     }
 
-    //- True where a point is on a wall of a script. A surface is looked at by
-    //  its bounds, and only if they are flat
+    //- True where a point is on a wall of a script. Of a surface only the
+    //  bounds count, and only if they are flat
     bool isAt
     (
         const liggghtsScript::wall& wall,

@@ -18,7 +18,7 @@ namespace
 
 using namespace Foam;
 
-//- The file that says that a time folder is complete
+//- The file that marks a time folder as complete
 fileName markOf(const fileName& folder)
 {
     return folder/"uniform"/"complete";

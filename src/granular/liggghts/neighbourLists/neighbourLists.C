@@ -240,8 +240,8 @@ void Foam::neighbourLists::build(int topoflag)
             skins_
         );
 
-        // How far a ghost may move its owner says, who sees what is near it and not
-        // here: at most this
+        // How far a ghost may move its owner decides, which has the grains near it
+        // that are not here: at most this
         std::fill(skins_.begin() + atom->nlocal, skins_.end(), 0.5*skin);
     }
 
