@@ -16,7 +16,7 @@ namespace
 //  clear of each other in a finite number of steps
 constexpr scalar oversize = 2e-4;
 
-//- A look at progress every so many steps
+//- Steps from one check of the progress to the next
 constexpr label stepsPerCheck = 50;
 
 //- Shorter steps than for spheres: a clump touches more neighbours

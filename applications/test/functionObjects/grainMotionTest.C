@@ -295,7 +295,10 @@ TEST_F(tank, aRegionOrAPointOutsideTheMeshIsAnError)
     {
         expectHolds(output(outside), "lies outside the mesh");
     }
-    expectHolds(output("spheres (((0.5 0.5 0.5) 0.1) ((0.5 500 0.5) 0.1));"), "Region 1 ");
+    expectHolds
+    (
+        output("spheres (((0.5 0.5 0.5) 0.1) ((0.5 500 0.5) 0.1));"), "Region 1 "
+    );
     for
     (
         const char* tooLong

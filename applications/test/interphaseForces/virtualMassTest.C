@@ -101,7 +101,8 @@ TEST(virtualMass, ofStrengthZeroNeedsNoAccelerationOfTheFluid)
     testMesh box;
     const auto carries = [&](const std::string& text)
     {
-        return forceModels(box.mesh(), entries("virtualMass {" + text + "}")).carriesFluid();
+        const forceModels laws(box.mesh(), entries("virtualMass {" + text + "}"));
+        return laws.carriesFluid();
     };
 
     EXPECT_TRUE(carries("model Zuber;"));

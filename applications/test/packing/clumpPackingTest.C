@@ -33,7 +33,7 @@ clumpShape shapeOf(const std::string& entries)
 }
 
 
-//- What the error says that making such a packing ends with
+//- The message of the error that making such a packing ends with
 std::string complaint(const std::string& entries)
 {
     try

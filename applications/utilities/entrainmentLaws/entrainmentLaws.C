@@ -42,7 +42,7 @@ misfit::series readSeries(const dictionary& dict, const fileName& caseFolder)
 }
 
 
-//- Times at which the laws are looked at: those of the normal stress, or with
+//- Times at which the laws are evaluated: those of the normal stress, or with
 //  timeStep at equal steps, from "from" to "to" [s]
 scalarList timesOf(const dictionary& dict, const scalarList& measured)
 {

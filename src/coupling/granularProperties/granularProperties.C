@@ -6,7 +6,10 @@
 #include "DynamicList.H"
 #include "OSspecific.H"
 #include "Time.H"
+#include "dragModel.H"
+#include "hasFluid.H"
 #include "keywords.H"
+#include "smoothingModel.H"
 
 Foam::granularProperties::granularProperties(const fvMesh& mesh)
 :
@@ -82,8 +85,8 @@ bool Foam::granularProperties::withoutFluid(const fvMesh& mesh)
             granularProperties(mesh),
             "fluid",
             "fluid",
-            {"volumeOfFluid", "none"},
-            "volumeOfFluid"
+            {defaultFluid, "none"},
+            defaultFluid
         ) == "none";
 }
 
@@ -112,8 +115,8 @@ void Foam::granularProperties::checkSmoothing(const granularPhase& phase) const
     if
     (
         !phase.hasContactRadius()
-     && drag.getOrDefault<word>("model", "DiFelice") != "none"
-     && smoothing.getOrDefault<word>("model", "diffusion") != "none"
+     && drag.getOrDefault<word>("model", dragModel::defaultModel) != "none"
+     && smoothing.getOrDefault<word>("model", smoothingModel::defaultModel) != "none"
      && !smoothing.found("drag")
     )
     {

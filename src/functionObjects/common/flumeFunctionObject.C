@@ -4,6 +4,7 @@
 #include "flumeFunctionObject.H"
 
 #include "gravityMeshObject.H"
+#include "hasFluid.H"
 #include "keywords.H"
 #include "mathematicalConstants.H"
 #include "snapshotCache.H"
@@ -110,8 +111,7 @@ bool Foam::functionObjects::flumeFunctionObject::hasFluid(const fvMesh& mesh)
         )
     );
 
-    return
-        properties.getOrDefault<word>("fluid", "volumeOfFluid") != "none";
+    return Foam::hasFluid(properties);
 }
 
 

@@ -321,26 +321,20 @@ Foam::functionObjects::porePressureProbes::grainStress() const
     const grainSnapshot& all = grains();
     scalarList stress(probes_.size(), Zero);
 
-    if (all.wallForce.found(patchName_))
+    const auto addToProbes = [&](const label i, const vector& force)
     {
-        const vectorField& force = all.wallForce[patchName_];
-
-        forAll(force, i)
+        forAll(discs_, probei)
         {
-            if (magSqr(force[i]) > 0)
-            {
-                forAll(discs_, probei)
-                {
-                    const patchDisc& disc = discs_[probei];
+            const patchDisc& disc = discs_[probei];
 
-                    if (disc.contains(all.position[i]))
-                    {
-                        stress[probei] -= (force[i] & disc.normal());
-                    }
-                }
+            if (disc.contains(all.position[i]))
+            {
+                stress[probei] -= (force & disc.normal());
             }
         }
-    }
+    };
+
+    forEachWallForce(all, patchName_, addToProbes);
 
     reduce(stress, sumOp<scalarList>());
 

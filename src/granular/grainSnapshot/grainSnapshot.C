@@ -56,7 +56,7 @@ IOobject fieldIO
 }
 
 
-//- Write as controlDict says; true where nothing is missing on the disk.
+//- Write as controlDict sets; true where nothing is missing on the disk.
 //  OpenFOAM's own write does not see a disk that fills with the last buffer,
 //  so the stream is kept here, but for collated files, which have no file of
 //  their own

@@ -42,7 +42,7 @@ Foam::clumpInsertion::clumpInsertion
     {
         error->all(FLERR, "fix insert/clumps needs a fix multisphere before it");
     }
-    liggghtsErrors::outside([this]() { read(); });
+    liggghtsErrors::runOutside([this]() { read(); });
 
     vector_flag = 1;
     size_vector = 1;
@@ -131,7 +131,7 @@ void Foam::clumpInsertion::pre_exchange()
         modify->find_fix_style("multisphere", 0)
     );
     nInserted_ = insertMine(bodies);
-    liggghtsErrors::outside([this]()
+    liggghtsErrors::runOutside([this]()
     {
         reduce(nInserted_, sumOp<label>());
         checkCount();

@@ -289,6 +289,23 @@ void Foam::grainForces::begin()
 }
 
 
+Foam::grainForces::surroundings Foam::grainForces::gather
+(
+    const fluidFields& fluid
+) const
+{
+    return
+    {
+        laws_.usesSauterDiameter() ? mapping_.sauterDiameter() : scalarField(),
+        fluidAround(mapping_, fluid),
+        flowAround
+        (
+            mapping_, laws_, fluid.rho, fluid.convection, fluid.viscousForce
+        )
+    };
+}
+
+
 Foam::List<Foam::List<Foam::givenByGrain>> Foam::grainForces::prepare
 (
     const fluidFields& fluid,
@@ -325,18 +342,10 @@ Foam::List<Foam::List<Foam::givenByGrain>> Foam::grainForces::coefficients
 {
     begin();
 
-    const scalarField dSauter
-    (
-        laws_.usesSauterDiameter() ? mapping_.sauterDiameter() : scalarField()
-    );
-    const List<List<fluidAtGrain>> around(fluidAround(mapping_, fluid));
-    const List<List<flowAtGrain>> flow = flowAround
-    (
-        mapping_, laws_, fluid.rho, fluid.convection, fluid.viscousForce
-    );
+    const surroundings around(gather(fluid));
     const auto flowOf = [&](const label i)
     {
-        return flow.size() ? mapping_.mean(flow, i) : flowAtGrain();
+        return around.flow.size() ? mapping_.mean(around.flow, i) : flowAtGrain();
     };
     const label n = exchange_.grains().size();
     List<List<givenByGrain>> sums
@@ -359,9 +368,9 @@ Foam::List<Foam::List<Foam::givenByGrain>> Foam::grainForces::coefficients
         {
             const label i = first + k;
 
-            fluids[k] = mapping_.mean(around, i);
+            fluids[k] = mapping_.mean(around.fluid, i);
             states[k] =
-                stateOf(i, fluids[k], dSauter.size() ? dSauter[i] : 1);
+                stateOf(i, fluids[k], around.dSauter.size() ? around.dSauter[i] : 1);
 
             if (laws_.shear.isOn() && laws_.drag.valid())
             {
@@ -376,16 +385,7 @@ Foam::List<Foam::List<Foam::givenByGrain>> Foam::grainForces::coefficients
         {
             const label i = first + k;
 
-            setForce
-            (
-                i,
-                states[k],
-                fluids[k],
-                flowOf(i),
-                K[k],
-                lift[k],
-                interval
-            );
+            setForce(i, states[k], fluids[k], flowOf(i), K[k], lift[k], interval);
             addGiven(sums, i, fluids[k], states[k].slip + meanVelocity_[i]);
         }
     }

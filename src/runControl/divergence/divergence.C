@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stops a run whose flow has diverged, with its fields written to look at.
+// Stops a run whose flow has diverged, with its fields written for inspection.
 
 #include "divergence.H"
 

@@ -109,7 +109,8 @@ void Foam::solidFractionField::reportSpread(const scalar share)
     const string where(fullest());
     OStringStream os;
     os  << 100*share << " % of the solid volume is spread over neighbouring cells"
-        << ", since the void fraction would be below the minimum of " << minimum_ << "." << nl
+        << ", since the void fraction would be below the minimum of " << minimum_ << "."
+        << nl
         << "    " << where.c_str() << "." << nl;
     const string what(os.str());
     const char* const advice =
@@ -136,16 +137,16 @@ void Foam::solidFractionField::reportSpread(const scalar share)
 
 void Foam::solidFractionField::report(const scalarField& before)
 {
-    if (excess_.left() > max(1e-3*minimum_, 2*warnedOf_))
+    if (excess_.largestExcess() > max(1e-3*minimum_, 2*warnedOf_))
     {
-        warnedOf_ = excess_.left();
+        warnedOf_ = excess_.largestExcess();
         WarningInFunction
             << "The void fraction is below the minimum of " << minimum_ << " by "
             << warnedOf_ << ": the grains do not fit into the cells around either."
             << nl << "    Take a lower minimum or larger cells" << endl;
     }
 
-    if (excess_.moved())
+    if (excess_.hasMoved())
     {
         // What goes from full cells to full cells changes none
         const scalarField moved(mesh_.V().field()*mag(solidFraction_ - before));

@@ -83,7 +83,11 @@ TEST(liggghtsScript, optionsStandBehindTheModelsOfAContact)
         return p.models + " |" + p.options;
     };
 
-    EXPECT_EQ(parts("model hertz tangential history"), " model hertz tangential history |");
+    EXPECT_EQ
+    (
+        parts("model hertz tangential history"),
+        " model hertz tangential history |"
+    );
     EXPECT_EQ
     (
         parts("model  hertz rolling_friction cdt limitForce on torsionTorque on"),

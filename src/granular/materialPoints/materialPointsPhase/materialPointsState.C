@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A continuum of material points in the place of grains: what is looked at, written and
-// read again.
+// A continuum of material points in the place of grains: snapshots, writing and reading.
 
 #include "materialPointsPhase.H"
 
