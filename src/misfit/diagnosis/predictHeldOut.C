@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Data that were not used to find an answer: predicted, and what is uncertain there.
 
-#include "elsewhere.H"
+#include "heldOutChance.H"
 #include "stages.H"
 
 namespace

@@ -3,7 +3,7 @@
 // recording, and not as squares of the surface or as an error of the mesh.
 
 #include "misfitWorld.H"
-#include "elsewhere.H"
+#include "heldOutChance.H"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a fit says of data that it was not fitted to.
+// How a fit predicts data that it was not fitted to, and by what chance it errs there.
 
-#include "elsewhere.H"
+#include "heldOutChance.H"
 
 #include <algorithm>
 #include <cmath>
