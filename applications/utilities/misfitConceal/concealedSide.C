@@ -244,12 +244,12 @@ Foam::misfit::concealedSide::recorded(const fileName& folder) const
 
 
 Foam::misfit::settings
-Foam::misfit::concealedSide::known(settings given, const fileName& folder)
+Foam::misfit::concealedSide::known(settings set, const fileName& folder)
 {
     const fileName file(folder/"measured");
     const char* const dictionaryName = "libraryDict";
     const json measured(isFile(file, false) ? readJson(file) : json::object());
-    for (parameter& p : given.parameters)
+    for (parameter& p : set.parameters)
     {
         if (p.isMeasured != measured.contains(p.name))
         {
@@ -265,7 +265,7 @@ Foam::misfit::concealedSide::known(settings given, const fileName& folder)
             p.measured = measured[p.name];
         }
     }
-    return given;
+    return set;
 }
 
 

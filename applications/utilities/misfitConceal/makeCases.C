@@ -233,14 +233,14 @@ List<caseToMake> withRuns
             states.append(statesOf(key, experiments, replicate, times));
         }
     }
-    const List<prediction> given
+    const List<prediction> results
     (
         kept.empty() ? truth.predict(states) : truth.predict(states, kept)
     );
     const label each = states.size()/cases.size();
     forAll(cases, i)
     {
-        cases[i].runs = SubList<prediction>(given, each, i*each);
+        cases[i].runs = SubList<prediction>(results, each, i*each);
     }
     return cases;
 }

@@ -135,8 +135,8 @@ void checkAction(const argList& args)
 //- Of an option, from where the program was started
 fileName path(const argList& args, const word& option, const fileName& byDefault)
 {
-    fileName given(args.getOrDefault<fileName>(option, byDefault));
-    return given.toAbsolute();
+    fileName path(args.getOrDefault<fileName>(option, byDefault));
+    return path.toAbsolute();
 }
 
 

@@ -55,8 +55,9 @@ labelList runningCandidates(sampler& simulation, const settings& set)
                 states.append(one);
             }
         }
-        const List<samples> given(simulation(states));
-        if (std::any_of(given.begin(), given.end(), [](const samples& g) { return g.ok(); }))
+        const List<samples> results(simulation(states));
+        const auto isOk = [](const samples& one) { return one.ok(); };
+        if (std::any_of(results.begin(), results.end(), isOk))
         {
             some.append(m);
         }

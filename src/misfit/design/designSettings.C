@@ -72,10 +72,10 @@ void check(const dictionary& dict, const designSettings& d, const recordings& re
 Foam::misfit::designSettings
 Foam::misfit::readDesign(const dictionary& dict, const recordings& recorded)
 {
-    const dictionary given(keywords::sub(dict, "design"));
+    const dictionary design(keywords::sub(dict, "design"));
     keywords::check
     (
-        given, {"channels", "strengths", "repeats", "draws", "probability"}
+        design, {"channels", "strengths", "repeats", "draws", "probability"}
     );
     designSettings d;
     d.channels = calibrating(recorded, true);
@@ -83,11 +83,11 @@ Foam::misfit::readDesign(const dictionary& dict, const recordings& recorded)
     {
         d.channels = calibrating(recorded, false);
     }
-    given.readIfPresent("channels", d.channels);
-    given.readIfPresent("strengths", d.strengths);
-    given.readIfPresent("repeats", d.repeats);
-    given.readIfPresent("draws", d.draws);
-    given.readIfPresent("probability", d.probability);
-    check(given, d, recorded);
+    design.readIfPresent("channels", d.channels);
+    design.readIfPresent("strengths", d.strengths);
+    design.readIfPresent("repeats", d.repeats);
+    design.readIfPresent("draws", d.draws);
+    design.readIfPresent("probability", d.probability);
+    check(design, d, recorded);
     return d;
 }

@@ -146,10 +146,10 @@ Foam::misfit::onSurface(const study& s, const hypothesisFit& w)
     evaluation c;
     c.best = w;
     c.variables = s.calibration.model(w.what).expand(w.fit.x);
-    c.given.calibration = w.fit.f;
+    c.computed.calibration = w.fit.f;
     if (s.validation.size())
     {
-        c.given.validation = s.validation.surface()(c.variables);
+        c.computed.validation = s.validation.surface()(c.variables);
     }
     return c;
 }

@@ -242,8 +242,8 @@ Foam::misfit::recordedFile Foam::misfit::channel::readFile
     const string& fileGiven
 ) const
 {
-    const fileName given(expanded(dict, fileGiven));
-    const fileName file(given.isAbsolute() ? given : folder/given);
+    const fileName path(expanded(dict, fileGiven));
+    const fileName file(path.isAbsolute() ? path : folder/path);
     if (!isFile(file, false))
     {
         FatalIOErrorInFunction(dict)

@@ -343,10 +343,11 @@ void Foam::misfit::recordings::plan()
     {
         if (!c.isRecorded() && c.overTime() && fitted.found(c.experiment))
         {
-            const bool given = c.interval.first() > -GREAT;
+            const bool isLimited = c.interval.first() > -GREAT;
             c.plan
             (
-                given ? c.interval.first() : first, given ? c.interval.second() : last,
+                isLimited ? c.interval.first() : first,
+                isLimited ? c.interval.second() : last,
                 samples_
             );
         }

@@ -49,14 +49,14 @@ scalar aboveZero
     const char* meaning = ""
 )
 {
-    const scalar given = dict.get<scalar>(key);
-    if (given <= 0)
+    const scalar value = dict.get<scalar>(key);
+    if (value <= 0)
     {
         FatalIOErrorInFunction(dict)
-            << key << ' ' << given << " of the correction must be above zero"
+            << key << ' ' << value << " of the correction must be above zero"
             << meaning << exit(FatalIOError);
     }
-    return given;
+    return value;
 }
 
 
@@ -72,8 +72,8 @@ Pair<scalar> reachOf
 {
     if (dict.found(key) || list.size() == 1)
     {
-        const scalar given = aboveZero(dict, key);
-        return Pair<scalar>(given, given);
+        const scalar distance = aboveZero(dict, key);
+        return Pair<scalar>(distance, distance);
     }
     const label last = list.size() - 1;
     const scalar before = i > 0 ? list[i] - list[i - 1] : list[1] - list[0];

@@ -81,10 +81,10 @@ TEST(misfitUnknown, aPushFollowsNumbersOfTheWaterThatTheCaseHas)
     dimensionlessLaw law;
     law.family = "push";
     law.functions = identity(4);
-    const mat given(combinationOf(law, one, met));
+    const mat computed(combinationOf(law, one, met));
     forAll(expected, i)
     {
-        EXPECT_NEAR(given(0, i)/expected[i], 1, 1e-12) << i;
+        EXPECT_NEAR(computed(0, i)/expected[i], 1, 1e-12) << i;
     }
 
     // What is not known has no laws
