@@ -72,7 +72,7 @@ Foam::List<Foam::misfit::runState> Foam::misfit::concealedSide::ensembleStates
     {
         for (runState s : stages[0].states)
         {
-            if (s.resolution != "base" || (s.replicate && !replicate))
+            if (!s.isBase() || (s.replicate && !replicate))
             {
                 s.experiment = e;
                 states.append(s);

@@ -73,7 +73,7 @@ public:
             {
                 all[i].failure = "diverged";
             }
-            if (states[i].resolution != "base" && changedByMesh >= 0)
+            if (!states[i].isBase() && changedByMesh >= 0)
             {
                 all[i].calibration[changedByMesh] += 0.1;
             }
