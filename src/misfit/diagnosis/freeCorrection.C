@@ -135,7 +135,7 @@ bool holdsIn
     const dimensionlessLaw* law =
         c.result.explained ? &c.result.laws.first().law : nullptr;
     runState state(c.s.state(other.experiment, c.atBase));
-    state.noting = law && law->family == "push";
+    state.noting = law && law->family == elementFamily::push;
     const samples before(c.s.means(List<runState>(1, state)).first());
     if (!before.ok())
     {
@@ -206,7 +206,7 @@ void test
 
 word nameOf(const dimensionlessLaw& law)
 {
-    word name(law.family);
+    word name(familyNames[law.family]);
     for (const word& group : law.groups)
     {
         name += ':' + group;

@@ -182,7 +182,7 @@ json law(const fittedLaw& l)
 {
     return
     {
-        {"family", l.law.family},
+        {"family", familyNames[l.law.family]},
         {"groups", l.law.groups},
         {"words", describe(l)},
         {"lead", l.lead}

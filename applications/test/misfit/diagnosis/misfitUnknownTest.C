@@ -23,7 +23,7 @@ HashTable<scalar> dragLaw(const scalar constant, const scalar slope)
     HashTable<scalar> values;
     for (const correctionElement& e : elements())
     {
-        if (e.family == "drag")
+        if (e.family == elementFamily::drag)
         {
             values.insert(e.name, constant + slope*std::log(e.Reynolds/100));
         }
@@ -69,7 +69,7 @@ finding diagnosed(correctedWorld& w, const settings& set = poorSettings())
 TEST(misfitUnknown, aPushFollowsNumbersOfTheWaterThatTheCaseHas)
 {
     List<correctionElement> one(1, elements().first());
-    ASSERT_EQ(one[0].family, "push");
+    ASSERT_EQ(one[0].family, elementFamily::push);
     HashTable<conditions> met;
     met.insert(one[0].name, {-2, 0.1, 0.6, 1200, 0.05, 3});
 
@@ -79,7 +79,7 @@ TEST(misfitUnknown, aPushFollowsNumbersOfTheWaterThatTheCaseHas)
         -3600, -3600*4/0.3, -3600*0.05*2/0.03, -3600*0.4
     });
     dimensionlessLaw law;
-    law.family = "push";
+    law.family = elementFamily::push;
     law.functions = identity(4);
     const mat computed(combinationOf(law, one, met));
     forAll(expected, i)
@@ -89,7 +89,7 @@ TEST(misfitUnknown, aPushFollowsNumbersOfTheWaterThatTheCaseHas)
 
     // What is not known has no laws
     met.set(one[0].name, {-2, 0.1, 0.6});
-    EXPECT_TRUE(lawsOf("push", one, met).empty());
+    EXPECT_TRUE(lawsOf(elementFamily::push, one, met).empty());
 }
 
 
