@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Diagnoses concealed cases, without a look at the key.
+// Diagnoses concealed cases, without reading the key.
 
 #include "concealedSide.H"
 #include "diagnosis.H"

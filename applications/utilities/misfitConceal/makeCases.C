@@ -277,7 +277,7 @@ void writeRecordings
 }
 
 
-//- What the key says of a case
+//- What the key holds of a case
 json keyOf(const caseToMake& one, const recordings& all, const label times)
 {
     json k = {{"case", one.name}};

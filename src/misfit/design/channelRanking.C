@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which one more channel would help most to tell mechanisms apart.
+// Which one more channel would help most to distinguish mechanisms.
 
 #include "channelRanking.H"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which mechanisms an experiment could tell apart, before it is done.
+// Which mechanisms an experiment could distinguish, before it is done.
 
 #include "channelRanking.H"
 #include "designDraws.H"

@@ -101,7 +101,7 @@ std::vector<place> locate(const study& s, const hypothesisFit& base, const scanR
             statistics::stretches(data, misfit, base.covariance, s.set.beyond);
         if (clear.empty())
         {
-            // Chance says no, yet no sample is far off: the strongest window
+            // More than chance, yet no sample is far off: the strongest window
             clear = left.windows;
             clear.resize(min(clear.size(), size_t(1)));
         }

@@ -96,8 +96,8 @@ void warnOfReplicates(const dictionary& dict, const settings& s)
     if (!canRepeat && dict.getOrDefault<label>("replicates", 1) > 1)
     {
         WarningInFunction
-            << "replicates is " << dict.get<label>("replicates") << ", but nothing says"
-            << " what differs between them, so the case runs once: give"
+            << "replicates is " << dict.get<label>("replicates") << ", but nothing"
+            << " differs between them, so the case runs once: give"
             << " replicateChanges, or take replicates out" << endl;
     }
 }

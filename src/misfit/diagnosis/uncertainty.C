@@ -50,7 +50,7 @@ void checkFailure
             << s.set.commonRandomNumbers << " with common random numbers"
             << " that every state is computed with, failed: "
             << why.c_str() << nl << "Correct 'replicateChanges'"
-            << " in system/misfitDict, or ask for fewer with 'commonRandomNumbers'."
+            << " in system/misfitDict, or request fewer with 'commonRandomNumbers'."
             << " Finished runs are kept" << exit(FatalError);
     }
     s.leaveOut(state, why);

@@ -200,7 +200,7 @@ Foam::misfit::recordings::recordings
     {
         FatalIOErrorInFunction(dict)
             << "samples is " << samples_ << "; a channel needs at least five to"
-            << " say when it parts from the simulation" << exit(FatalIOError);
+            << " show when it departs from the simulation" << exit(FatalIOError);
     }
 
     for (const entry& e : dict.subDict("channels"))

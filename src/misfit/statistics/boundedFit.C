@@ -109,7 +109,7 @@ void findCovariance
 }
 
 
-//- Half the objective as NLopt asks for it, of variables in units of their own
+//- Half the objective as NLopt requires it, of variables in units of their own
 struct problem
 {
     const fittedModel& model;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whole diagnoses of a surge in closed form, whose truth has other formulas
-// than the library: the verdict and what it says.
+// than the library: the verdict and its words.
 
 #include "report.H"
 #include "testNumber.H"

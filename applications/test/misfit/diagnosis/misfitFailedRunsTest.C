@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a diagnosis makes of runs in which the solver fails or says otherwise.
+// What a diagnosis makes of runs in which the solver fails or differs from the surface.
 
 #include "worldDiagnosis.H"
 

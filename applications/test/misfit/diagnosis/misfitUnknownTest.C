@@ -206,7 +206,7 @@ TEST(misfitUnknown, aLawIsNoSurerThanTheLimitOfWhatIsNotCalibrated)
         const finding f(diagnosed(w, set));
         ASSERT_EQ(f.verdict.kind, verdictKind::named);
 
-        // Its lead alone would say more
+        // Its lead alone would give more
         EXPECT_GT(f.correction.laws.first().lead, 6);
         EXPECT_EQ(f.verdict.confidence, limit);
     }

@@ -228,7 +228,7 @@ TEST(misfitFit, withAPriorItIsTheClosedForm)
 
 TEST(misfitFit, variancesHaveAnyUnitsAndAFlatDirectionIsNotKnown)
 {
-    // A viscosity beside a density: the data say nothing of either
+    // A viscosity beside a density: the data determine neither
     straightLine l(threePoints());
     l.a.setZero();
     l.priorMean.setZero();
