@@ -207,8 +207,8 @@ string nameOf(const label number)
 }
 
 
-//- These cases and their runs, or what is kept of them; those before are drawn as well, so
-//  that each is the same whatever others are made
+//- These cases and their runs, or what is kept of them; those before are drawn as well,
+//  so that each is the same whatever others are made
 List<caseToMake> withRuns
 (
     concealedSide& truth,

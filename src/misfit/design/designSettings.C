@@ -12,8 +12,8 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
-//- Names of the channels of the fitted experiment that are for calibration; recorded: only
-//  those with a file
+//- Names of the channels of the fitted experiment that are for calibration; recorded:
+//  only those with a file
 wordList calibrating(const recordings& all, const bool recorded)
 {
     wordList names;

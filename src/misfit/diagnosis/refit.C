@@ -52,8 +52,8 @@ void preferAmongRivals(const study& s, explanations& e)
 }
 
 
-//- The score up to which an explanation may still win: the error of the surface grows with
-//  the misfit, whose measure is the gain of the best
+//- The score up to which an explanation may still win: the error of the surface grows
+//  with the misfit, whose measure is the gain of the best
 scalar limitOfRefit(const explanations& e, const rules& limits)
 {
     const scalar lowest = e.lowestScore();

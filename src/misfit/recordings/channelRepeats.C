@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What was recorded of one channel, as a mean where the experiment was done several times.
+// What was recorded of one channel, as a mean where the experiment was done several
+// times.
 
 #include "channel.H"
 #include "OStringStream.H"
@@ -45,7 +46,8 @@ void checkInterval
 
 
 //- Fatal where the experiment done again is a copy of one before, does not cover what
-//  counts, or has fewer readings there: its mean with others would be less sure than it looks
+//  counts, or has fewer readings there: its mean with others would be less sure than it
+//  looks
 void checkRepeat
 (
     const dictionary& dict,

@@ -253,9 +253,10 @@ fitResult fitFrom
     fitResult best(searchFrom(model, y, white, start));
 
     // From where it ended, in units of that place, as long as this gains. In the 40 quick
-    // cases of validation/misfit/concealed 8 of 50,931 searches gain more than 0.001 by it, 0.23
-    // at most: all verdicts are the same without, but one case passes a gate less, and
-    // its confidence is another. It takes 1.8 times the calls, a third more time
+    // cases of validation/misfit/concealed 8 of 50,931 searches gain more than 0.001 by
+    // it, 0.23 at most: all verdicts are the same without, but one case passes a gate
+    // less, and its confidence is another. It takes 1.8 times the calls, a third more
+    // time
     double gain = best.objective;
     for (int pass = 0; pass < 10 && gain > 1e-8*(1 + best.objective); ++pass)
     {

@@ -106,8 +106,8 @@ double statistics::chanceOfDegradation
     };
     const mat errors = whitened(predictionErrors(fitted, heldOut, best));
 
-    // What chaos adds to the prediction is missing from what is left, and is in the effect
-    // as far as both share it: they contradict each other by that, for nothing
+    // What chaos adds to the prediction is missing from what is left, and is in the
+    // effect as far as both share it: they contradict each other by that, for nothing
     const mat chaos = shared*whitened(heldOut.chaosOfRun());
     const double deviation = std::sqrt
     (

@@ -69,7 +69,8 @@ public:
     }
 };
 
-//- Explanations of a world that lacks the first mechanism, and how many runs the refit took
+//- Explanations of a world that lacks the first mechanism, and how many runs the refit
+//  took
 struct rankedWorld
 {
     worldSampler solver;

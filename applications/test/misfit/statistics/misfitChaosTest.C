@@ -150,8 +150,8 @@ TEST(misfitChaos, isNoErrorOfTheMesh)
 
 TEST(misfitChaos, hidesWhatAnotherMeshChangesFromOneRunButNotFromSix)
 {
-    // What it changes is as large as chance is in one run; with the parametric part, which
-    // is twice as large, sqrt(5) of that is to be found
+    // What it changes is as large as chance is in one run; with the parametric part,
+    // which is twice as large, sqrt(5) of that is to be found
     const auto error = [](const label finerRuns)
     {
         scalar square = 0;
@@ -175,8 +175,8 @@ namespace
 {
 
 //- Of so many worlds that many in which held-out channels contradict a mechanism by more
-//  than chance does (0.05): they do not feel it, but for so many times what the runs, with
-//  its effect of a size on all of them, lead to expect
+//  than chance does (0.05): they do not feel it, but for so many times what the runs,
+//  with its effect of a size on all of them, lead to expect
 label contradicted(const scalar shown, const scalar effect, const label worlds)
 {
     label n = 0;
