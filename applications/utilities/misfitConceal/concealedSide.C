@@ -34,8 +34,8 @@ dictionary readDictionary(const fileName& file, wordList& outside, label& nRecor
     if (nRecordings < 1)
     {
         FatalIOErrorInFunction(dict)
-            << "recordings is " << nRecordings << ": experiment A is recorded once or more"
-            << " often" << exit(FatalIOError);
+            << "recordings is " << nRecordings
+            << ": experiment A is recorded once or more often" << exit(FatalIOError);
     }
     dict.remove("outside");
     dict.remove("recordings");
@@ -256,8 +256,9 @@ Foam::misfit::concealedSide::known(settings set, const fileName& folder)
             FatalErrorInFunction
                 << "The parameter " << p.name << " is measured in "
                 << (p.isMeasured ? dictionaryName : file.c_str()) << ", not in "
-                << (p.isMeasured ? file.c_str() : dictionaryName) << ": give both dictionaries"
-                << " of the slice the same parameters, and make the cases again"
+                << (p.isMeasured ? file.c_str() : dictionaryName)
+                << ": give both dictionaries of the slice the same parameters, and make"
+                << " the cases again"
                 << exit(FatalError);
         }
         if (p.isMeasured)

@@ -154,9 +154,10 @@ void checkMade(const json& cases, const fileName& keyFile, const labelRange& the
         if (!these(number - 1))
         {
             FatalErrorInFunction
-                << "The key " << keyFile << " has case " << number << ", which is none of "
-                << these.min() + 1 << " to " << these.max() + 1 << ". Give another -folder"
-                << " and -key, or remove it and its cases" << exit(FatalError);
+                << "The key " << keyFile << " has case " << number
+                << ", which is none of " << these.min() + 1 << " to " << these.max() + 1
+                << ". Give another -folder and -key, or remove it and its cases"
+                << exit(FatalError);
         }
     }
 }
@@ -315,8 +316,8 @@ void Foam::misfit::makeCases
     if (these.max() >= mostCases)
     {
         FatalErrorInFunction
-            << these.max() + 1 << " cases are too many: at most " << mostCases << " have grains of"
-            << " their own" << exit(FatalError);
+            << these.max() + 1 << " cases are too many: at most " << mostCases
+            << " have grains of their own" << exit(FatalError);
     }
     const recordings& all = truth.bare();
     const label times = truth.nRecordings();

@@ -164,7 +164,12 @@ void putAnswerAside(const fileName& folder)
 
 
 //- Diagnose a case and write the answer into its folder misfit, or list the runs only
-void diagnosisOf(const IOdictionary& dict, const fileName& caseFolder, const bool onlyPlan)
+void diagnosisOf
+(
+    const IOdictionary& dict,
+    const fileName& caseFolder,
+    const bool onlyPlan
+)
 {
     const fileName folder(caseFolder/"misfit");
     if (!onlyPlan)

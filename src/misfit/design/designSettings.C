@@ -39,8 +39,9 @@ void check(const dictionary& dict, const designSettings& d, const recordings& re
         if (!valid.found(name))
         {
             FatalIOErrorInFunction(dict)
-                << "design names the channel " << name << ", which is no channel over time"
-                << " of the fitted experiment, or is held out. Channels:"
+                << "design names the channel " << name
+                << ", which is no channel over time of the fitted experiment, or is held"
+                << " out. Channels:"
                 << keywords::listed(valid).c_str() << exit(FatalIOError);
         }
     }
@@ -54,8 +55,8 @@ void check(const dictionary& dict, const designSettings& d, const recordings& re
     if (!strengths || !repeats || d.draws < 1 || d.probability <= 0 || d.probability >= 1)
     {
         FatalIOErrorInFunction(dict)
-            << "In design, strengths must be above 0, repeats 1 or more and rising, draws 1"
-            << " or more, and probability between 0 and 1" << exit(FatalIOError);
+            << "In design, strengths must be above 0, repeats 1 or more and rising,"
+            << " draws 1 or more, and probability between 0 and 1" << exit(FatalIOError);
     }
     if (d.channels.empty())
     {

@@ -90,7 +90,12 @@ std::vector<place> placesOf
 
 
 //- Where and when recording and calibrated base part beyond chance; left: chance of that
-std::vector<place> locate(const study& s, const hypothesisFit& base, const scanResult& left)
+std::vector<place> locate
+(
+    const study& s,
+    const hypothesisFit& base,
+    const scanResult& left
+)
 {
     const stacked& data = s.calibration.data();
     const vec misfit = data.y - base.fit.f;

@@ -35,17 +35,19 @@ void Foam::misfit::explanations::sort()
 }
 
 
-std::vector<const Foam::misfit::hypothesisFit*> Foam::misfit::explanations::byScore() const
+std::vector<const Foam::misfit::hypothesisFit*>
+Foam::misfit::explanations::byScore() const
 {
     std::vector<const hypothesisFit*> list;
     for (const hypothesisFit& w : all_)
     {
         list.push_back(&w);
     }
-    std::stable_sort(list.begin(), list.end(), [](const hypothesisFit* a, const hypothesisFit* b)
+    const auto isBetter = [](const hypothesisFit* a, const hypothesisFit* b)
     {
         return a->score < b->score;
-    });
+    };
+    std::stable_sort(list.begin(), list.end(), isBetter);
     return list;
 }
 

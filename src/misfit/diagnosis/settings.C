@@ -54,7 +54,8 @@ void checkSizes(const dictionary& dict, const settings& s)
         FatalIOErrorInFunction(dict)
             << "trainingEnsemble is " << s.trainingEnsemble << ": one for "
             << s.parameters.size() << " parameters and " << s.candidates.size()
-            << " candidates needs " << terms << " runs, better twice as many" << exit(FatalIOError);
+            << " candidates needs " << terms << " runs, better twice as many"
+            << exit(FatalIOError);
     }
     const bool repeats = s.replicates >= 1 && s.commonRandomNumbers >= 1;
     if (!repeats || s.draws < 100)

@@ -72,7 +72,8 @@ Foam::misfit::study::study(sampler& s, const settings& set)
     experiments(s.data()),
     calibration
     (
-        data().calibration, bounds, set.clockUncertainty, set.modelDiscrepancy, set.chaotic
+        data().calibration, bounds, set.clockUncertainty, set.modelDiscrepancy,
+        set.chaotic
     ),
     validation
     (

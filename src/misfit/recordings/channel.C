@@ -205,8 +205,9 @@ Foam::misfit::channel::channel
     else if (dict.found("repeats"))
     {
         FatalIOErrorInFunction(dict)
-            << "The channel " << name << " has repeats of no recording: give its first one"
-            << " as file" << exit(FatalIOError);
+            << "The channel " << name
+            << " has repeats of no recording: give its first one as file"
+            << exit(FatalIOError);
     }
 }
 

@@ -270,7 +270,8 @@ void Foam::misfit::channel::readValue(const dictionary& dict)
     {
         FatalIOErrorInFunction(dict)
             << "The channel " << name << " has a value, a number alone. It"
-            << " needs its unit, no file and no repeats. Units of " << samples.quantity.c_str() << ":"
+            << " needs its unit, no file and no repeats. Units of "
+            << samples.quantity.c_str() << ":"
             << keywords::listed(unitsOf(*findQuantity(samples.quantity))).c_str()
             << exit(FatalIOError);
     }

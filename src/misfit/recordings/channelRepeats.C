@@ -39,7 +39,8 @@ void checkInterval
         FatalIOErrorInFunction(dict)
             << "The channel " << channel << " has " << n << " readings in the interval "
             << interval << "; it needs three. The file covers "
-            << written(whole.x.first()).c_str() << " to " << written(whole.x.last()).c_str()
+            << written(whole.x.first()).c_str() << " to "
+            << written(whole.x.last()).c_str()
             << ". If it counts from elsewhere: xOffset" << exit(FatalIOError);
     }
 }

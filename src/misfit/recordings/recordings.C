@@ -90,8 +90,9 @@ void Foam::misfit::recordings::readExperiments(const dictionary& dict)
         if (word(e.keyword()).find('+') != string::npos)
         {
             FatalIOErrorInFunction(dict)
-                << "The name of the experiment " << e.keyword() << " has a +, which stands"
-                << " between the names of several: give it another" << exit(FatalIOError);
+                << "The name of the experiment " << e.keyword()
+                << " has a +, which stands between the names of several: give it another"
+                << exit(FatalIOError);
         }
         experiments_.append(e.keyword());
         purposes_.append

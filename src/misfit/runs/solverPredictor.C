@@ -284,7 +284,8 @@ void Foam::misfit::solverPredictor::print
     if (left && donePrinted_)
     {
         const scalar minutes = secondsPrinted_/donePrinted_*left/store_.jobs()/60;
-        Info<< "    about " << std::ceil(minutes) << " min for the " << left << " to do" << nl;
+        Info<< "    about " << std::ceil(minutes) << " min for the " << left << " to do"
+            << nl;
     }
     Info<< endl;
 }

@@ -309,7 +309,10 @@ statistics::fitResult statistics::fit
     }
     if (best.objective == large)
     {
-        throw std::domain_error("a fit came to no number: its model, data or bounds have none");
+        throw std::domain_error
+        (
+            "a fit came to no number: its model, data or bounds have none"
+        );
     }
     findCovariance(model, white, best);
     return best;

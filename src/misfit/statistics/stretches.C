@@ -71,7 +71,10 @@ std::vector<statistics::window> statistics::stretches
     (
         result.begin(),
         result.end(),
-        [](const window& a, const window& b) { return std::abs(a.size) > std::abs(b.size); }
+        [](const window& a, const window& b)
+        {
+            return std::abs(a.size) > std::abs(b.size);
+        }
     );
     return result;
 }

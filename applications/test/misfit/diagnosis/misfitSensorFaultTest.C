@@ -277,7 +277,10 @@ TEST(misfitSensorFault, whatItShowedIsReportedInThreeDigits)
         "P1 shows 2000 Pa throughout, whatever happens: it is dead or stuck"
     );
     EXPECT_NE(describe(dead, at, vec::Constant(1, -0.008)).find(" 0 Pa"), string::npos);
-    EXPECT_NE(describe(dead, at, vec::Constant(1, 12345.)).find(" 12300 Pa"), string::npos);
+    EXPECT_NE
+    (
+        describe(dead, at, vec::Constant(1, 12345.)).find(" 12300 Pa"), string::npos
+    );
 }
 
 

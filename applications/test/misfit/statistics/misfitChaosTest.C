@@ -124,7 +124,8 @@ TEST(misfitChaos, isCountedOnceForTheRecordingAndByItsLeverageForTheSurface)
     (
         std::hypot
         (
-            sizeOf(parts, "replicates", 0, all), sizeOf(parts, "between the runs", 0, all),
+            sizeOf(parts, "replicates", 0, all),
+            sizeOf(parts, "between the runs", 0, all),
             sizeOf(parts, "mesh", 0, all)
         ),
         2*expected
