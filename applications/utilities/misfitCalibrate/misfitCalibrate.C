@@ -42,7 +42,11 @@ freeParameter readParameter(const word& name, const dictionary& dict)
     {
         range = scalarField(dict.get<scalarList>("bounds"));
     }
-    if (range.size() < 2 || min(range) == max(range) || (p.logarithmic && min(range) <= 0))
+    if
+    (
+        range.size() < 2 || min(range) == max(range)
+     || (p.logarithmic && min(range) <= 0)
+    )
     {
         FatalIOErrorInFunction(dict)
             << "Parameter " << name << " needs two bounds, or two levels or more, that"

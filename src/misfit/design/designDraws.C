@@ -54,8 +54,9 @@ labelList runningCandidates(sampler& simulation, const settings& set)
                 states.append(one);
             }
         }
-        const List<samples> given(simulation(states));
-        if (std::any_of(given.begin(), given.end(), [](const samples& g) { return g.ok(); }))
+        const List<samples> results(simulation(states));
+        const auto isOk = [](const samples& one) { return one.ok(); };
+        if (std::any_of(results.begin(), results.end(), isOk))
         {
             some.append(m);
         }
@@ -154,7 +155,8 @@ Foam::misfit::designAnswer Foam::misfit::designDraws::answer
         c.mechanism < 0 ? 0 : c.strength*set_.candidates[c.mechanism].strong;
     channelSelection some
     (
-        simulation_, recordings.all(), recordings(c.mechanism, strength, draw), channels, true
+        simulation_, recordings.all(), recordings(c.mechanism, strength, draw),
+        channels, true
     );
     const finding f(diagnose(some, set_));
 
@@ -216,8 +218,9 @@ void Foam::misfit::designDraws::printProgress(const designRow& row)
     ++nDone_;
     const scalar left = timer_.elapsedTime()/nDone_*max(nRows_ - nDone_, label(0));
     Info<< "    " << nDone_ << " of " << nRows_ << ": "
-        << (row.mechanism.empty() ? word("nothing") : row.mechanism) << ' ' << row.strength
-        << ", repeats " << row.repeats << ": named " << row.named << " of " << row.draws
+        << (row.mechanism.empty() ? word("nothing") : row.mechanism) << ' '
+        << row.strength << ", repeats " << row.repeats << ": named "
+        << row.named << " of " << row.draws
         << "; about " << std::ceil(left/60) << " min left" << endl;
 }
 
@@ -239,7 +242,10 @@ Foam::misfit::designDraws::designDraws
     (
         design.repeats.size()*(1 + running_.size()*design.strengths.size())
       + running_.size()
-       *possibleChannels(allChannels(simulation.data().first(), 1), design.channels).size()
+       *possibleChannels
+        (
+            allChannels(simulation.data().first(), 1), design.channels
+        ).size()
     )
 {}
 

@@ -71,7 +71,8 @@ void checkNumbers(const numberTable& t, const label column)
         FatalErrorInFunction
             << "Line " << t.lines[first->first.second] << " of " << t.file << " holds \""
             << first->second.c_str() << "\" in the column " << t.names[column]
-            << ", which is no finite number. Remove the line if nothing was recorded then";
+            << ", which is no finite number. Remove the line if nothing was recorded"
+            << " then";
         if (n > 1)
         {
             FatalError << "; it is the first of " << label(n) << " such lines";

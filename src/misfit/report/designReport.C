@@ -44,7 +44,8 @@ string mostOften(const designRow& r)
     );
     return
         most == r.others.end()
-      ? string() : inWords(most->first) + " (" + percentWords(r.share(most->second)) + ')';
+      ? string()
+      : inWords(most->first) + " (" + percentWords(r.share(most->second)) + ')';
 }
 
 

@@ -21,8 +21,8 @@ using namespace Foam::misfit;
 namespace
 {
 
-//- Channels a, b, c ... that are 0, plus the sum of strengths times effects: a row of these
-//  for each channel, a column for each mechanism. The standard deviation of each is 1
+//- Channels a, b, c ... that are 0, plus the sum of strengths times effects: a row of
+//  these for each channel, a column for each mechanism. The deviation of each is 1
 class numbersWorld
 :
     public sampler
@@ -73,7 +73,7 @@ public:
             {
                 all[i].failure = "diverged";
             }
-            if (states[i].resolution != "base" && changedByMesh >= 0)
+            if (!states[i].isBase() && changedByMesh >= 0)
             {
                 all[i].calibration[changedByMesh] += 0.1;
             }
@@ -99,7 +99,7 @@ settings settingsFor(const label mechanisms)
     for (label m = 0; m < mechanisms; ++m)
     {
         const word name(Foam::name(m), false);
-        // What is recorded may be larger than the effect, and no bound may cut the fit off
+        // What is recorded may be larger than the effect, and no bound may limit the fit
         s.candidates.append({name, name, {}, 0.5, 1, 2, GREAT, {}});
     }
     s.modelDiscrepancy = 0;

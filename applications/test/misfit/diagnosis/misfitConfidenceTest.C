@@ -186,7 +186,10 @@ TEST(misfitConfidence, scoredCasesAreReadByTheirColumns)
     {
         heads += ',' + name;
     }
-    writeWhole(file, heads + "\n0001,named,1,2,0.01,3,1,1,0\n0002,none,0,-1,1,0,0.5,0,0\n");
+    writeWhole
+    (
+        file, heads + "\n0001,named,1,2,0.01,3,1,1,0\n0002,none,0,-1,1,0,0.5,0,0\n"
+    );
     const std::vector<knownCase> cases(readKnownCases(file));
     ASSERT_EQ(cases.size(), 2);
     EXPECT_EQ(cases[0].verdict, verdictKind::named);

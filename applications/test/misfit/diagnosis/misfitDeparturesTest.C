@@ -30,8 +30,10 @@ stageResults twoDeparting()
     e.detection.covariance = e.detection.sigma.cwiseAbs2().asDiagonal();
     for (label k = 0; k < 40; ++k)
     {
-        w.data.segments[0].of(e.detection.data.y)[k] += w.data.segments[0].x[k] > 2 ? 80 : 0;
-        w.data.segments[2].of(e.detection.data.y)[k] += w.data.segments[2].x[k] > 1 ? 80 : 0;
+        w.data.segments[0].of(e.detection.data.y)[k] +=
+            w.data.segments[0].x[k] > 2 ? 80 : 0;
+        w.data.segments[2].of(e.detection.data.y)[k] +=
+            w.data.segments[2].x[k] > 1 ? 80 : 0;
     }
     return e;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whole diagnoses of a surge in closed form, whose truth has other formulas
-// than the library: the verdict and what it says.
+// than the library: the verdict and its words.
 
 #include "report.H"
 #include "testNumber.H"
@@ -144,7 +144,8 @@ TEST(misfitDiagnosis, theStateThatIsNamedIsReported)
     ASSERT_TRUE(f.verdict.state);
     EXPECT_NEAR
     (
-        f.verdict.state->strengths[world::mechanism(0)], f.verdict.strengths[0].value, 1e-9
+        f.verdict.state->strengths[world::mechanism(0)],
+        f.verdict.strengths[0].value, 1e-9
     );
 }
 
@@ -227,7 +228,8 @@ TEST(misfitDiagnosis, theSimplerOneIsNotCalledTheBest)
     {
         return a.probability < b.probability;
     };
-    const hypothesisFit& likeliest = *std::max_element(all.begin(), all.end(), lessLikely);
+    const hypothesisFit& likeliest =
+        *std::max_element(all.begin(), all.end(), lessLikely);
     EXPECT_NE(likeliest.what.mechanisms, std::vector<int>{0});
     EXPECT_NE
     (

@@ -80,7 +80,8 @@ TEST(misfitSettings, aParameterIsKnownAsWellAsItWasMeasured)
             (
                 IStringStream
                 (
-                    "parameters { slope { mean 1; deviation 0.5; bounds (0 3); " + measured
+                    "parameters { slope { mean 1; deviation 0.5; bounds (0 3); "
+                  + measured
                   + " changes ({ file g; entry along; }); } }"
                 )()
             )
@@ -111,7 +112,8 @@ TEST(misfitSettings, chaosNeedsReplicatesToBeKnown)
     expectHolds(refusalOf("chaotic yes; replicates 12;"), "give replicateChanges");
     expectHolds
     (
-        refusalOf("chaotic yes; replicateChanges (); replicates 2;"), "3 replicates or more"
+        refusalOf("chaotic yes; replicateChanges (); replicates 2;"),
+        "3 replicates or more"
     );
     EXPECT_EQ(refusalOf("chaotic yes; replicateChanges (); replicates 3;"), "nothing");
 }

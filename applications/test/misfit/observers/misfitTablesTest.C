@@ -117,7 +117,10 @@ TEST(misfitTables, aHeightThatIsMoreThanTheMeshIsRefused)
         return refusal([&](){ checkPlaces(m.mesh(), {observer(c)}, "A"); });
     };
     EXPECT_EQ(profile("1"), "nothing");
-    expectHolds(profile("400"), "S1 has the height 400 m, more than the diagonal of the mesh");
+    expectHolds
+    (
+        profile("400"), "S1 has the height 400 m, more than the diagonal of the mesh"
+    );
 }
 
 

@@ -292,5 +292,8 @@ TEST(misfitChannel, listsAreReportedInPlainWords)
         refusalOf(good, "file \"S1.csv\"; column q;"),
         "Its columns: \"t_s\" \"p_Pa\""
     );
-    expectHolds(refusalOf("t_s\n0\n1\n"), "no column \"2\", counted from 1. Its columns: \"t_s\"");
+    expectHolds
+    (
+        refusalOf("t_s\n0\n1\n"), "no column \"2\", counted from 1. Its columns: \"t_s\""
+    );
 }

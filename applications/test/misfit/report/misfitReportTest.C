@@ -127,9 +127,9 @@ TEST(misfitReport, theConfidenceStatesOfWhat)
         (
             box(f),
             "Confidence 90 % that this is at least part of what is missing, the"
-            " fraction of such verdicts that were right in cases whose cause was known. The"
-            " cases of etc/misfit/confidence are water without grains: for a case with"
-            " grains the confidence is not calibrated."
+            " fraction of such verdicts that were right in cases whose cause was known."
+            " The cases of etc/misfit/confidence are water without grains: for a case"
+            " with grains the confidence is not calibrated."
         )
     );
     finding uncounted(f);
@@ -234,7 +234,11 @@ TEST(misfitReport, noNumberIsTooLargeToRead)
     expectHolds(describe(f), "mean square more than 100000");
     expectLacks(describe(f), "e+");
     expectHolds(describe(f), "1230000");
-    expectLacks(describe(droppedCandidate{"a", droppedCandidate::reason::small, "", 0.1, 1e20}), "e+");
+    expectLacks
+    (
+        describe(droppedCandidate{"a", droppedCandidate::reason::small, "", 0.1, 1e20}),
+        "e+"
+    );
     gate wide(gateKind::evidence, 12345, 10);
     expectHolds(gateWords(wide, f).dump(), "12300");
     EXPECT_TRUE(contains(page, "less than -1000 %"));

@@ -41,8 +41,9 @@ std::vector<hypothesisFit> explain
             (
                 w.data,
                 {
-                    faultKind::lag, faultKind::gain, faultKind::zero, faultKind::drift, faultKind::clock,
-                    faultKind::clogged, faultKind::swapped, faultKind::misplaced, faultKind::units
+                    faultKind::lag, faultKind::gain, faultKind::zero, faultKind::drift,
+                    faultKind::clock, faultKind::clogged, faultKind::swapped,
+                    faultKind::misplaced, faultKind::units
                 }
             ),
             true
