@@ -204,7 +204,7 @@ TEST(misfitDesign, mechanismsWithTheSameEffectAreNeverSeparated)
         }
     }
     EXPECT_EQ(d.repeatsNeeded("0", 1), 0);
-    EXPECT_EQ(d.row("0", 1, 1).others.count({"1"}), 1);
+    EXPECT_EQ(d.row("0", 1, 1).others.count(std::vector<word>{"1"}), 1);
 
     // Answers of other processes come back whole
     const experimentDesign two(designExperiment(w, settingsFor(2), design, 2));
@@ -407,11 +407,12 @@ TEST(misfitDesign, aChannelWithoutAFileIsPlanned)
 
 TEST(misfitDesign, itIsReadByProgramsAndPeople)
 {
+    typedef std::vector<word> names;
     experimentDesign d;
     d.channels = {"P1", "P2"};
     d.probability = 0.8;
-    d.rows.append({"", 0, 1, 20, 1, 0, 0, 1, {{"leak", 1}}});
-    d.rows.append({"drag", 0.5, 1, 20, 19, 8, 4, 2, {{"leak", 5}, {"slurry", 1}}});
+    d.rows.append({"", 0, 1, 20, 1, 0, 0, 1, {{names{"leak"}, 1}}});
+    d.rows.append({"drag", 0.5, 1, 20, 19, 8, 4, 2, {{names{"leak"}, 5}, {names{"slurry"}, 1}}});
     d.rows.append({"drag", 0.5, 3, 20, 20, 18, 1, 0, {}});
     d.options.append({"P3", {}, 0.4, 0.75, {0.2, 0.5}});
     const json all(designRecord(d, "a case"));
