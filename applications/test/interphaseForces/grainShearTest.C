@@ -48,7 +48,7 @@ struct mud
             << " air { nu 1.5e-5; rho " << airRho << "; }\n";
     }
 
-    grainShear law(const string& entries = "") const
+    grainShear law(const string& entries = "")
     {
         return grainShear(box.mesh(), dictionary(IStringStream(entries)()));
     }
@@ -58,7 +58,7 @@ struct mud
 //- Error of the law in that mud
 std::string refused(const scalar n, const string& model)
 {
-    const mud liquid(n, model);
+    mud liquid(n, model);
     return refusal([&]() { liquid.law(); });
 }
 
@@ -147,7 +147,7 @@ scalar drag(const scalar U, const scalar density, const scalar mu)
 
 TEST(grainShear, sphereMovesFromTheForceOfBerisOn)
 {
-    const mud liquid;
+    mud liquid;
     const scalar force = 3.5*M_PI*sqr(d)*tau0;
 
     // Creeping, in liquid that rests
@@ -180,7 +180,7 @@ TEST(grainShear, followsTheConsistencyWhereSlipIsFast)
 
 TEST(grainShear, isThatOfTheFlowWhereThatShearsMore)
 {
-    const mud liquid;
+    mud liquid;
     const scalar ofFlow = 2;
 
     EXPECT_EQ(liquid.law().mu(ofFlow, rho, d, 1e-3*d), ofFlow);
@@ -207,7 +207,7 @@ TEST(grainShear, leavesOtherFluidAlone)
 
 TEST(grainShear, isScaledByItsStrength)
 {
-    const mud liquid;
+    mud liquid;
     const scalar whole = liquid.law().mu(50, rho, d, 5*d);
 
     EXPECT_NEAR
@@ -216,7 +216,7 @@ TEST(grainShear, isScaledByItsStrength)
     );
 
     // Off, it reads nothing
-    const mud newtonian(1, "Newtonian");
+    mud newtonian(1, "Newtonian");
     EXPECT_FALSE(newtonian.law("strength 0;").isOn());
 }
 
