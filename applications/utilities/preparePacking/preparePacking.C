@@ -264,12 +264,7 @@ void writeText(const fileName& file, const std::string& text)
 
 //- Write the clumps of all packings and the LIGGGHTS commands for their templates to
 //  files whose names begin so; none of an earlier call remains. Returns how many
-label writeClumps
-(
-    const dictionary& dict,
-    const UPtrList<namedPacking>& packings,
-    const string& path
-)
+label writeClumps(const UPtrList<namedPacking>& packings, const string& path)
 {
     DynamicList<placedClump> clumps;
     std::ostringstream templates;
@@ -439,7 +434,7 @@ int main(int argc, char* argv[])
     const string path(folder + (isDir(folder/"grains") ? "/grains/" : "/grains."));
     report(packings, runTime);
     writeSpheres(grains, domain, nMaterials(dict, packings), path);
-    const label nClumps = writeClumps(dict, packings, path);
+    const label nClumps = writeClumps(packings, path);
     if (nClumps)
     {
         Info<< nClumps << " clumps written to " << fileName(path + "clumps") << nl;

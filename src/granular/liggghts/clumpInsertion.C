@@ -144,7 +144,8 @@ void Foam::clumpInsertion::pre_exchange()
     std::sort(templates_.begin(), templates_.end());
     templates_.erase(std::unique(templates_.begin(), templates_.end()), templates_.end());
 
-    // A sphere may be on another rank than the centre: insertions to come look for it there
+    // A sphere may be on another rank than the centre: insertions to come look for it
+    // there
     LAMMPS_NS::Irregular spheres(lmp);
     if (spheres.migrate_check())
     {
