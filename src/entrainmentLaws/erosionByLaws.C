@@ -12,15 +12,15 @@ Foam::erosionByLaws::erosionByLaws(const dictionary& dict)
     (
         dict.subDict("scouring"),
         dict.get<scalar>("slope"),
-        dict.lookupOrDefault<scalar>("gravity", 9.81)
+        dict.getOrDefault<scalar>("gravity", 9.81)
     ),
     laws_
     (
         dict,
         dict.get<scalar>("slope"),
-        dict.lookupOrDefault<scalar>("gravity", 9.81)
+        dict.getOrDefault<scalar>("gravity", 9.81)
     ),
-    floor_(dict.lookupOrDefault<scalar>("erodibleDepth", GREAT))
+    floor_(dict.getOrDefault<scalar>("erodibleDepth", GREAT))
 {}
 
 

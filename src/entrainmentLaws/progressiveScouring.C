@@ -19,9 +19,9 @@ Foam::progressiveScouring::progressiveScouring
     R_(dict.get<scalar>("radius")),
     rho_(dict.get<scalar>("density")),
     slope_(degToRad(slope)),
-    mean_(degToRad(dict.lookupOrDefault<scalar>("pivotMean", 33))),
-    deviation_(degToRad(dict.lookupOrDefault<scalar>("pivotDeviation", 5.73))),
-    divisions_(dict.lookupOrDefault<label>("divisions", 91)),
+    mean_(degToRad(dict.getOrDefault<scalar>("pivotMean", 33))),
+    deviation_(degToRad(dict.getOrDefault<scalar>("pivotDeviation", 5.73))),
+    divisions_(dict.getOrDefault<label>("divisions", 91)),
     g_(g)
 {
     keywords::check

@@ -22,7 +22,7 @@ Foam::shearingLaws::shearingLaws
       : friction_
     ),
     rho_(dict.get<scalar>("bulkDensity")),
-    xi_(dict.lookupOrDefault<scalar>("turbulenceCoefficient", 100)),
+    xi_(dict.getOrDefault<scalar>("turbulenceCoefficient", 100)),
     g_(g)
 {
     if (friction_ <= slope_)

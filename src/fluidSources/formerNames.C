@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Former names of what is here: each is an error that says the present one.
+// Former names of what is here: each is an error that gives the present one.
 
 #include "addToRunTimeSelectionTable.H"
 #include "fvOption.H"

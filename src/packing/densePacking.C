@@ -42,7 +42,8 @@ Foam::densePacking::densePacking(const dictionary& dict, const vector&)
     if (diameters_.empty())
     {
         FatalIOErrorInFunction(dict_)
-            << "The requested packing holds less than half a grain"
+            << "The requested packing holds less than half a grain."
+            << " Give more mass, a larger box or smaller diameters"
             << exit(FatalIOError);
     }
 }
@@ -153,7 +154,8 @@ void Foam::densePacking::fillFoot()
     if (high.x() <= low.x() || high.y() <= low.y())
     {
         FatalIOErrorInFunction(dict_)
-            << "The foot " << low << ' ' << high << " has no area"
+            << "The foot " << low << ' ' << high << " has no area:"
+            << " give (xMin yMin) (xMax yMax) in m"
             << exit(FatalIOError);
     }
 

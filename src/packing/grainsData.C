@@ -109,7 +109,7 @@ void Foam::writeGrainsData
     {
         FatalErrorInFunction
             << "Could not rename " << aside << " to " << file
-            << exit(FatalError);
+            << ". Is the folder yours to write?" << exit(FatalError);
     }
 }
 

@@ -3,6 +3,8 @@
 
 #include "overlapRelaxation.H"
 
+#include "fireStep.H"
+
 namespace Foam
 {
 namespace
@@ -12,60 +14,8 @@ namespace
 //  clear of each other in a finite number of steps
 constexpr scalar oversize = 2e-4;
 
-//- A look at progress every so many steps
+//- Steps from one check of the progress to the next
 constexpr label stepsPerCheck = 100;
-
-
-//- The engine of Bitzek et al. with their parameters; mass and stiffness are 1
-class fireStep
-{
-    scalar step_ = 0.1;
-    scalar mixing_ = 0.1;
-    label downhill_ = 0;
-
-public:
-
-    void advance
-    (
-        pointField& positions,
-        vectorField& velocities,
-        const vectorField& forces
-    )
-    {
-        const scalar power = sum(velocities & forces);
-
-        if (power > 0)
-        {
-            steer(velocities, forces);
-            if (++downhill_ > 5)
-            {
-                step_ = min(1.1*step_, scalar(0.5));
-                mixing_ *= 0.99;
-            }
-        }
-        else
-        {
-            velocities = Zero;
-            step_ *= downhill_ > 0 ? 0.5 : 1.0;
-            step_ = max(step_, scalar(0.02));
-            mixing_ = 0.1;
-            downhill_ = 0;
-        }
-
-        velocities += step_*forces;
-        positions += step_*velocities;
-    }
-
-private:
-
-    void steer(vectorField& velocities, const vectorField& forces) const
-    {
-        const scalar f = Foam::sqrt(sum(magSqr(forces)));
-        const scalar v = Foam::sqrt(sum(magSqr(velocities)));
-        velocities =
-            (1 - mixing_)*velocities + (mixing_*v/max(f, VSMALL))*forces;
-    }
-};
 
 } // End anonymous namespace
 } // End namespace Foam

@@ -77,3 +77,21 @@ Foam::packedGrains Foam::packedGrains::subset(const labelUList& ids) const
     chosen.material = labelList(material, ids);
     return chosen;
 }
+
+
+Foam::DynamicList<Foam::placedClump> Foam::placedClumps
+(
+    const std::string& kind,
+    const packedGrains& clumps
+)
+{
+    DynamicList<placedClump> result(clumps.size());
+    forAll(clumps.position, i)
+    {
+        result.append
+        (
+            placedClump{kind, clumps.position[i], clumps.orientation[i]}
+        );
+    }
+    return result;
+}

@@ -28,7 +28,7 @@ Foam::FixedList<bool, 3> Foam::packingBox::readPeriodic(const dictionary& dict)
 {
     FixedList<bool, 3> periodic(false);
 
-    for (const word& name : dict.lookupOrDefault("periodic", wordList()))
+    for (const word& name : dict.getOrDefault("periodic", wordList()))
     {
         if (name != "x" && name != "y" && name != "z")
         {

@@ -2,6 +2,7 @@
 // Packings kept from earlier runs, found by their specification.
 
 #include "packingCache.H"
+#include "clumpTable.H"
 #include "grainsData.H"
 #include "OSHA1stream.H"
 #include "OSspecific.H"
@@ -14,6 +15,9 @@ namespace
 constexpr int generation = 1;
 
 const Foam::word dataName("grains.data");
+
+//- How the clumps are turned
+const Foam::word clumpsName("grains.clumps");
 
 
 //- Make the packing in a folder of this process, then give it its name
@@ -42,6 +46,14 @@ Foam::packedGrains make
         model.box().bounds(),
         "Grains of a packing of type " + model.type()
     );
+    if (model.clump())
+    {
+        writeClumpTable
+        (
+            aside/clumpsName,
+            placedClumps(model.clump()->name(), grains)
+        );
+    }
     rm(aside/"settling.data");
 
     // Either an incomplete one lies there, or another process was faster
@@ -79,8 +91,24 @@ Foam::packedGrains Foam::packingCache::obtain(const packingModel& model)
     const fileName kept(folder(model));
     packedGrains grains;
 
-    if (readGrainsData(kept/dataName, grains))
+    // A folder that lacks its clumps was not written to its end
+    const bool isWhole = !model.clump() || isFile(kept/clumpsName);
+    if (isWhole && readGrainsData(kept/dataName, grains))
     {
+        if (model.clump())
+        {
+            for (const placedClump& clump : readClumpTable(kept/clumpsName))
+            {
+                grains.orientation.append(clump.orientation);
+            }
+            if (grains.orientation.size() != grains.size())
+            {
+                FatalErrorInFunction
+                    << "The kept packing " << kept << " has " << grains.size()
+                    << " grains, but orientations of " << grains.orientation.size()
+                    << "." << nl << "    Remove that folder." << exit(FatalError);
+            }
+        }
         Info<< "    kept in " << kept << endl;
         return grains;
     }

@@ -2,6 +2,7 @@
 // A kind of packing, chosen by the entry "type".
 
 #include "packingModel.H"
+#include "clumpRelaxation.H"
 #include "keywords.H"
 #include "overlapRelaxation.H"
 
@@ -45,16 +46,35 @@ pointField randomPoints
 }
 
 
-//- Relax, and shake while spheres overlap. Returns the least overlap on the
-//  way, which is the last one where the tolerance is met
-scalar pushApart(overlapRelaxation& spheres, Random& random)
+//- Every orientation as often as any other
+List<quaternion> randomOrientations(const label n, Random& random)
 {
-    scalar least = spheres.relax(0);
+    List<quaternion> result(n);
+    for (quaternion& q : result)
+    {
+        do
+        {
+            q.w() = random.GaussNormal<scalar>();
+            q.v() = random.GaussNormal<vector>();
+        }
+        while (mag(q) < 1e-3);
+        q.normalize();
+    }
+    return result;
+}
+
+
+//- Relax, and shake while grains overlap. Returns the least overlap on the
+//  way, which is the last one where the tolerance is met
+template<class Relaxation>
+scalar pushApart(Relaxation& grains, Random& random)
+{
+    scalar least = grains.relax(0);
 
     for (label k = 0; k < mostShakes && least > tolerance; ++k)
     {
-        spheres.shake(shakeAmplitude*(1 - scalar(k)/mostShakes), random);
-        least = min(least, spheres.relax(0));
+        grains.shake(shakeAmplitude*(1 - scalar(k)/mostShakes), random);
+        least = min(least, grains.relax(0));
     }
     return least;
 }
@@ -72,8 +92,9 @@ Foam::packingModel::packingModel
     dict_(checked(dict, modelKeywords)),
     sizes_(dict),
     density_(positive("density")),
-    material_(dict.lookupOrDefault<label>("material", 1)),
-    seed_(dict.lookupOrDefault<label>("seed", 1))
+    material_(dict.getOrDefault<label>("material", 1)),
+    seed_(dict.getOrDefault<label>("seed", 1)),
+    clump_(readClump())
 {
     if (material_ < 1)
     {
@@ -93,12 +114,36 @@ const Foam::dictionary& Foam::packingModel::checked
     wordList valid
     ({
         "type", "diameter", "diameters", "density", "material", "seed",
-        "periodic"
+        "periodic", "clump", "spheres"
     });
     valid.append(modelKeywords);
     keywords::check(dict, valid);
 
     return dict;
+}
+
+
+Foam::autoPtr<Foam::clumpShape> Foam::packingModel::readClump() const
+{
+    if (!dict_.found("clump"))
+    {
+        if (dict_.found("spheres"))
+        {
+            FatalIOErrorInFunction(dict_)
+                << "spheres without clump" << nl
+                << "    Write clump cobble; beside them, or leave them out."
+                << exit(FatalIOError);
+        }
+        return nullptr;
+    }
+    if (!dict_.found("diameter"))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Clumps have one size only." << nl
+            << "    Write diameter, that of the sphere of the clump's volume, in place"
+            << " of diameters." << exit(FatalIOError);
+    }
+    return autoPtr<clumpShape>::New(dict_, sizes_.largest());
 }
 
 
@@ -138,11 +183,13 @@ Foam::scalar Foam::packingModel::positive(const word& key) const
 
 void Foam::packingModel::checkGrainVolume(const packingBox& box) const
 {
-    if (cmptMin(box.span()) < sizes_.largest())
+    const scalar size = clump_ ? clump_->length() : sizes_.largest();
+
+    if (cmptMin(box.span()) < size)
     {
         FatalIOErrorInFunction(dict_)
             << "The box " << box.bounds() << " with sides " << box.span()
-            << " m is too small for a grain of " << sizes_.largest()
+            << " m is too small for a grain of " << size
             << " m" << exit(FatalIOError);
     }
 }
@@ -154,7 +201,7 @@ void Foam::packingModel::checkFraction(const scalar solidFraction) const
     {
         FatalIOErrorInFunction(dict_)
             << "A solid fraction of " << solidFraction << " is out of range:"
-            << " it must be above 0, and spheres packed at random reach "
+            << " it must be above 0, and grains packed at random reach "
             << randomClosePacking << ". Between 0.40 and 0.62 is what"
             << " preparePacking is made for" << exit(FatalIOError);
     }
@@ -170,6 +217,11 @@ Foam::packedGrains Foam::packingModel::arrange
     const scalar solidFraction = sphereVolume(diameters)/box.volume();
     checkFraction(solidFraction);
 
+    if (clump_)
+    {
+        return arrangeClumps(box, diameters);
+    }
+
     Random random(seed_);
     overlapRelaxation spheres
     (
@@ -177,11 +229,54 @@ Foam::packedGrains Foam::packingModel::arrange
         randomPoints(box, diameters, random),
         diameters
     );
-    const scalar least = pushApart(spheres, random);
+    checkApart(box, diameters, pushApart(spheres, random));
 
+    packedGrains grains;
+    grains.position = spheres.positions();
+    grains.diameter = diameters;
+    grains.setMaterial(density_, material_);
+    return grains;
+}
+
+
+Foam::packedGrains Foam::packingModel::arrangeClumps
+(
+    const packingBox& box,
+    const scalarField& diameters
+) const
+{
+    Random random(seed_);
+    const pointField start(randomPoints(box, diameters, random));
+    clumpRelaxation clumps
+    (
+        box,
+        *clump_,
+        start,
+        randomOrientations(start.size(), random)
+    );
+    checkApart(box, diameters, pushApart(clumps, random));
+
+    packedGrains grains;
+    grains.position = clumps.positions();
+    grains.orientation = clumps.orientations();
+    grains.diameter = diameters;
+    grains.setMaterial(density_, material_);
+    return grains;
+}
+
+
+void Foam::packingModel::checkApart
+(
+    const packingBox& box,
+    const scalarField& diameters,
+    const scalar least
+) const
+{
     if (least > tolerance)
     {
-        // Smaller by the overlap, the spheres would have fitted
+        const scalar solidFraction = sphereVolume(diameters)/box.volume();
+
+        // Smaller by the overlap, the grains would have fitted
         FatalIOErrorInFunction(dict_)
             << diameters.size() << " grains do not fit into the box "
             << box.bounds() << " at a solid fraction of " << solidFraction
@@ -189,12 +284,42 @@ Foam::packedGrains Foam::packingModel::arrange
             << solidFraction*pow3(1 - least)
             << ". Ask for less, or for a wider box" << exit(FatalIOError);
     }
+}
 
-    packedGrains grains;
-    grains.position = spheres.positions();
-    grains.diameter = diameters;
-    grains.setMaterial(density_, material_);
-    return grains;
+
+Foam::pointField Foam::packingModel::sphereCentres
+(
+    const packedGrains& grains
+) const
+{
+    return
+        clump_
+      ? clump_->placed(grains.position, grains.orientation)
+      : grains.position;
+}
+
+
+Foam::scalarField Foam::packingModel::sphereDiameters
+(
+    const packedGrains& grains
+) const
+{
+    return clump_ ? clump_->diameters(grains.size()) : grains.diameter;
+}
+
+
+Foam::labelList Foam::packingModel::sphereGrains
+(
+    const packedGrains& grains
+) const
+{
+    const label nEach = clump_ ? clump_->size() : 1;
+    labelList result(grains.size()*nEach);
+    forAll(result, i)
+    {
+        result[i] = i/nEach;
+    }
+    return result;
 }
 
 
@@ -210,14 +335,29 @@ Foam::dictionary Foam::packingModel::properties
 ) const
 {
     const packingBox space(box());
+    const pointField spheres(sphereCentres(grains));
+    const scalarField diameters(sphereDiameters(grains));
+    const scalar overlap = largestOverlap
+    (
+        space,
+        spheres,
+        diameters,
+        pairsOfBodies(space, spheres, diameters, sphereGrains(grains), 0)
+    );
     scalar top = space.bounds().min().z();
-    forAll(grains.position, i)
+    forAll(spheres, i)
     {
-        top = max(top, grains.position[i].z() + 0.5*grains.diameter[i]);
+        top = max(top, spheres[i].z() + 0.5*diameters[i]);
     }
 
     dictionary reached;
     reached.add("type", type());
+    if (clump_)
+    {
+        reached.add("clump", clump_->name());
+        reached.add("nSpheres", spheres.size());
+        reached.add("sphericity", clump_->sphericity());
+    }
     reached.add("material", material_);
     reached.add("nGrains", grains.size());
     reached.add("grainMass", grains.mass());
@@ -226,15 +366,7 @@ Foam::dictionary Foam::packingModel::properties
     reached.add("max", space.bounds().max());
     reached.add("height", space.span().z());
     reached.add("highestGrain", top);
-    reached.add
-    (
-        "largestOverlap",
-        max
-        (
-            scalar(0),
-            largestOverlap(space, grains.position, grains.diameter)
-        )
-    );
+    reached.add("largestOverlap", max(scalar(0), overlap));
     reached.add("seed", seed_);
     return reached;
 }

@@ -47,15 +47,23 @@ Foam::settledPacking::settledPacking
     contact_(dict),
     step_
     (
-        dict.lookupOrDefault
+        dict.getOrDefault
         (
             "timeStep",
             contact_.timeStep(sizes_.smallest(), density_)
         )
     ),
-    fraction_(dict.lookupOrDefault("solidFraction", pouredFraction)),
+    fraction_(dict.getOrDefault("solidFraction", pouredFraction)),
     nTiles_(readTiles())
 {
+    if (clump_)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "A bed that settles is one of spheres, not of clumps "
+            << clump_->name() << "." << nl
+            << "    Write type dense, and let the grains settle in the run; or leave"
+            << " clump out." << exit(FatalIOError);
+    }
     checkGrainVolume(box_);
     checkGravity();
 }
@@ -70,7 +78,7 @@ Foam::boundBox Foam::settledPacking::readBox() const
 
 Foam::label Foam::settledPacking::readTiles() const
 {
-    const scalar length = dict_.lookupOrDefault
+    const scalar length = dict_.getOrDefault
     (
         "tileLength",
         tileDiameters*sizes_.largest()

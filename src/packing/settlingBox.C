@@ -159,7 +159,8 @@ Foam::scalar Foam::settlingBox::update()
     {
         FatalErrorInFunction
             << grains_.size() - n << " of " << grains_.size()
-            << " grains left the box " << box_.bounds() << " while settling"
+            << " grains left the box " << box_.bounds() << " while settling."
+            << nl << "    Give a smaller timeStep in system/packingDict"
             << exit(FatalError);
     }
 

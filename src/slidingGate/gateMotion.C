@@ -43,8 +43,8 @@ Foam::gateMotion::gateMotion(const fvMesh& mesh, const dictionary& dict)
     normal_(Zero),
     direction_(Zero),
     edge_(0),
-    start_(dict.lookupOrDefault<scalar>("start", 0)),
-    strength_(dict.lookupOrDefault<scalar>("strength", 1))
+    start_(dict.getOrDefault<scalar>("start", 0)),
+    strength_(dict.getOrDefault<scalar>("strength", 1))
 {
     if (dict.empty())
     {
@@ -87,7 +87,7 @@ void Foam::gateMotion::checkSettings(const dictionary& dict)
         "\n    They are those of constant/slidingGate."
     );
 
-    const scalar strength = dict.lookupOrDefault<scalar>("strength", 1);
+    const scalar strength = dict.getOrDefault<scalar>("strength", 1);
 
     if (!(strength >= 0))
     {

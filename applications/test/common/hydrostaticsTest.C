@@ -108,7 +108,7 @@ TEST(hydrostatics, withoutCyclicPatchesGravityIsLeftAsItIs)
 }
 
 
-TEST(hydrostatics, oneFluidAloneIsBalancedAndASecondIsTold)
+TEST(hydrostatics, oneFluidAloneIsBalancedAndASecondIsReported)
 {
     testMesh box(chute());
     const scalarField water(box.mesh().nCells(), 1000);

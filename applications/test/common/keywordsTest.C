@@ -19,7 +19,7 @@ dictionary entries(const std::string& text)
 } // End anonymous namespace
 
 
-TEST(keywords, aFormerKeywordIsAnErrorThatSaysThePresentOne)
+TEST(keywords, aFormerKeywordIsAnErrorThatNamesThePresentOne)
 {
     const HashTable<word> renamed({{"old", "present"}});
 
@@ -37,7 +37,7 @@ TEST(keywords, aFormerKeywordIsAnErrorThatSaysThePresentOne)
 }
 
 
-TEST(keywords, aFormerChoiceIsAnErrorThatSaysThePresentOne)
+TEST(keywords, aFormerChoiceIsAnErrorThatNamesThePresentOne)
 {
     const auto chosen = [](const std::string& text)
     {

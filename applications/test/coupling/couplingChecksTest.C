@@ -59,7 +59,7 @@ TEST(demCoupling, grainsThatAllStartOutsideAreAnErrorAlsoWhereTheyMayLeave)
 }
 
 
-TEST(demCoupling, grainsAloneTellTheirNumberAtEachTimeWritten)
+TEST(demCoupling, grainsAloneReportTheirNumberAtEachTimeWritten)
 {
     boxOfWater w;
     const demCoupling coupling(w.box().mesh(), g);

@@ -381,7 +381,7 @@ TEST(permeableWall, isTightWithoutStrengthAndRefusesAnUnknownKeyword)
 }
 
 
-TEST(fluidSources, formerNamesAreErrorsThatSayThePresentOnes)
+TEST(fluidSources, formerNamesAreErrorsThatNameThePresentOnes)
 {
     testMesh box;
     const fvMesh& mesh = box.mesh();

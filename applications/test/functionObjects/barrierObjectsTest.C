@@ -331,7 +331,7 @@ class ParallelBarrier
 } // End anonymous namespace
 
 
-// A rank without water must not wait for another that asks for its density
+// A rank without water must not wait for another that reads its density
 TEST_F(ParallelBarrier, waterOnOneRankAloneGoesOverTheCrest)
 {
     putGrains(pointField(), vectorField());

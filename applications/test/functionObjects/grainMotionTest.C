@@ -141,7 +141,7 @@ TEST_F(tank, aGrainThatIsGoneIsMissingFromItsTrack)
 }
 
 
-TEST_F(tank, anIdThatNoGrainHasIsToldOnceThereAreGrains)
+TEST_F(tank, anIdThatNoGrainHasIsReportedOnceThereAreGrains)
 {
     functionObjects::grainTrack track
     (
@@ -295,7 +295,10 @@ TEST_F(tank, aRegionOrAPointOutsideTheMeshIsAnError)
     {
         expectHolds(output(outside), "lies outside the mesh");
     }
-    expectHolds(output("spheres (((0.5 0.5 0.5) 0.1) ((0.5 500 0.5) 0.1));"), "Region 1 ");
+    expectHolds
+    (
+        output("spheres (((0.5 0.5 0.5) 0.1) ((0.5 500 0.5) 0.1));"), "Region 1 "
+    );
     for
     (
         const char* tooLong
@@ -326,7 +329,7 @@ TEST_F(tank, aRegionOrAPointOutsideTheMeshIsAnError)
 }
 
 
-TEST_F(tank, aTypeThatNoGrainHasIsToldOnceThereAreGrains)
+TEST_F(tank, aTypeThatNoGrainHasIsReportedOnceThereAreGrains)
 {
     grainSnapshot& g = grains_.grains;
     g = grainSnapshot(0);

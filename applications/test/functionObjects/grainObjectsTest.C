@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Function objects that look at the grains: front, bed, load, stress.
+// Function objects that sample the grains: front, bed, load, stress.
 
 #include "bedErosion.H"
 #include "collisionLoad.H"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Function objects that look at the water: pore pressure, stress, balance.
+// Function objects that sample the water: pore pressure, stress, balance.
 
 #include "basalStress.H"
 #include "massBalance.H"

@@ -11,7 +11,7 @@ using namespace Foam;
 namespace
 {
 
-//- All laws that look at a grain's size
+//- All laws that depend on a grain's size
 const string laws
 (
     "drag { model Gidaspow; shape { model HolzerSommerfeld; sphericity 0.8; } }"

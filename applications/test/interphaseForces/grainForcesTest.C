@@ -152,7 +152,7 @@ void expectFlowWhereAClosureLooks()
         );
     };
 
-    // A field at which none looks is not there
+    // A field that no law reads is not there
     const vectorField none;
     const auto carried =
         flow("virtualMass { model constant; }", fluid.convection, none);

@@ -70,7 +70,7 @@ struct loneGrain
 } // End anonymous namespace
 
 
-TEST(excessPressure, isFeltByItsStrengthAndBuoyancyInFull)
+TEST(excessPressure, actsByItsStrengthAndBuoyancyInFull)
 {
     constexpr scalar d = 0.05;
     const vector gradient(300, -200, -9000);

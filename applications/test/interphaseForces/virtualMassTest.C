@@ -94,3 +94,17 @@ TEST(virtualMass, strengthZeroIsNothingAndBetweenIsInProportion)
     EXPECT_NEAR(coefficient("model Zuber; strength 0.3;", 0.5), 0.6, 1e-14);
     EXPECT_EQ(coefficient("model none;", 0.5), 0);
 }
+
+
+TEST(virtualMass, ofStrengthZeroNeedsNoAccelerationOfTheFluid)
+{
+    testMesh box;
+    const auto carries = [&](const std::string& text)
+    {
+        const forceModels laws(box.mesh(), entries("virtualMass {" + text + "}"));
+        return laws.carriesFluid();
+    };
+
+    EXPECT_TRUE(carries("model Zuber;"));
+    EXPECT_FALSE(carries("model Zuber; strength 0;"));
+}

@@ -91,6 +91,7 @@ vectorField viscousForces
         fluidMeans{none, none, none, fluid.viscousForce, fluid.rho, Zero}
     );
 
+    EXPECT_EQ(forces.force().size(), places.size());
     return forces.force();
 }
 

@@ -12,7 +12,7 @@ using namespace Foam;
 namespace
 {
 
-//- What the error says that making such a packing ends with
+//- The message of the error that making such a packing ends with
 std::string complaint
 (
     const std::string& entries,

@@ -30,7 +30,10 @@ public:
             IOobject("p_rgh", box_.time().timeName(), box_.mesh()),
             box_.mesh(),
             dimensionedScalar("p", dimPressure, 0),
-            wordList(box_.mesh().boundary().size(), closed ? "zeroGradient" : "fixedValue")
+            wordList
+            (
+                box_.mesh().boundary().size(), closed ? "zeroGradient" : "fixedValue"
+            )
         ),
         voidFraction
         (
@@ -95,7 +98,10 @@ TEST(closedTank, refusesAVoidFractionOfOtherGrains)
     tankOfWater tank(true);
     const std::string words
     (
-        refusal([&]() { scaleToGrainVolume(tank.p, tank.voidFraction, tank.solids(0.5)); })
+        refusal
+        (
+            [&]() { scaleToGrainVolume(tank.p, tank.voidFraction, tank.solids(0.5)); }
+        )
     );
     expectHolds(words, "Go on from another time");
 }

@@ -146,7 +146,7 @@ TEST(slidingGate, BetweenFacesItStandsOnTheFacesBetweenItsSides)
 }
 
 
-TEST(slidingGate, TellsHowFarBesideItsPlaneItStands)
+TEST(slidingGate, ReportsHowFarBesideItsPlaneItStands)
 {
     testMesh m(box());
     const auto output = [&](const scalar x)
@@ -238,7 +238,7 @@ TEST(slidingGate, AFileThatCannotBeReadIsAnErrorNotARunWithoutGate)
 }
 
 
-TEST(slidingGate, BadSettingsAreErrorsThatSayWhatToDo)
+TEST(slidingGate, BadSettingsAreErrorsThatStateWhatToDo)
 {
     testMesh m(box());
     const auto messageOf = [&](const dictionary& dict)

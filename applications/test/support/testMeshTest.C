@@ -77,7 +77,7 @@ void expectPeriodicGradient(const fvMesh& mesh)
 } // End anonymous namespace
 
 
-TEST(testMesh, holdsTheBoxThatWasAskedFor)
+TEST(testMesh, holdsTheBoxThatWasRequested)
 {
     testMesh test(oblong());
     expectWholeBox(test.mesh());

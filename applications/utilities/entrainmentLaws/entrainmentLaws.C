@@ -32,7 +32,7 @@ misfit::series readSeries(const dictionary& dict, const fileName& caseFolder)
     }
 
     const string column(misfit::columnIn(dict, "column", ""));
-    const scalar factor = dict.lookupOrDefault<scalar>("factor", 1);
+    const scalar factor = dict.getOrDefault<scalar>("factor", 1);
     const misfit::numberTable table
     (
         file.hasExt("csv") ? misfit::csvTable(file) : misfit::writtenTable(file)
@@ -42,13 +42,13 @@ misfit::series readSeries(const dictionary& dict, const fileName& caseFolder)
 }
 
 
-//- Times at which the laws are looked at: those of the normal stress, or with
+//- Times at which the laws are evaluated: those of the normal stress, or with
 //  timeStep at equal steps, from "from" to "to" [s]
 scalarList timesOf(const dictionary& dict, const scalarList& measured)
 {
-    const scalar from = dict.lookupOrDefault("from", measured.first());
-    const scalar to = dict.lookupOrDefault("to", measured.last());
-    const scalar step = dict.lookupOrDefault<scalar>("timeStep", 0);
+    const scalar from = dict.getOrDefault("from", measured.first());
+    const scalar to = dict.getOrDefault("to", measured.last());
+    const scalar step = dict.getOrDefault<scalar>("timeStep", 0);
     DynamicList<scalar> times;
 
     if (step > 0)
@@ -263,7 +263,7 @@ int main(int argc, char *argv[])
     const fileName folder
     (
         args.path()/"postProcessing"
-       /dict.lookupOrDefault<word>("name", "entrainmentLaws")
+       /dict.getOrDefault<word>("name", "entrainmentLaws")
     );
 
     mkDir(folder);

@@ -150,7 +150,7 @@ scalar readDensity
         dimDensity,
         caseDictionary(mesh, "constant", "transportProperties").subDict(phase)
     ).value();
-    const scalar entry = settings.lookupOrDefault<scalar>("density", density);
+    const scalar entry = settings.getOrDefault<scalar>("density", density);
 
     if (mag(entry - density) > 1e-6*density)
     {
@@ -286,7 +286,7 @@ int main(int argc, char *argv[])
     const dictionary packing(packingEntries(mesh, settings));
     const boundBox box(packing.get<point>("min"), packing.get<point>("max"));
     const scalar mass = packing.get<scalar>("fluidMass");
-    const word field(settings.lookupOrDefault<word>("field", "alpha.water"));
+    const word field(settings.getOrDefault<word>("field", "alpha.water"));
     const scalar density = readDensity(mesh, settings, field);
 
     volScalarField alpha

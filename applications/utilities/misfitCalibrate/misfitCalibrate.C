@@ -33,7 +33,7 @@ freeParameter readParameter(const word& name, const dictionary& dict)
             dict, "scale", "scale of a parameter", {"linear", "log"}, "linear"
         ) == "log";
 
-    scalarField range(dict.lookupOrDefault("levels", scalarList()));
+    scalarField range(dict.getOrDefault("levels", scalarList()));
     for (const scalar level : range)
     {
         p.levels.push_back(p.scaled(level));
@@ -42,7 +42,11 @@ freeParameter readParameter(const word& name, const dictionary& dict)
     {
         range = scalarField(dict.get<scalarList>("bounds"));
     }
-    if (range.size() < 2 || min(range) == max(range) || (p.logarithmic && min(range) <= 0))
+    if
+    (
+        range.size() < 2 || min(range) == max(range)
+     || (p.logarithmic && min(range) <= 0)
+    )
     {
         FatalIOErrorInFunction(dict)
             << "Parameter " << name << " needs two bounds, or two levels or more, that"
@@ -95,7 +99,7 @@ struct experiment
     )
     :
         name(name_),
-        conditions(dict.lookupOrDefault("conditions", wordList())),
+        conditions(dict.getOrDefault("conditions", wordList())),
         quantities(dict.get<wordList>("quantities"))
     {
         keywords::check

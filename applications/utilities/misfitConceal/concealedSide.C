@@ -34,8 +34,8 @@ dictionary readDictionary(const fileName& file, wordList& outside, label& nRecor
     if (nRecordings < 1)
     {
         FatalIOErrorInFunction(dict)
-            << "recordings is " << nRecordings << ": experiment A is recorded once or more"
-            << " often" << exit(FatalIOError);
+            << "recordings is " << nRecordings
+            << ": experiment A is recorded once or more often" << exit(FatalIOError);
     }
     dict.remove("outside");
     dict.remove("recordings");
@@ -72,7 +72,7 @@ Foam::List<Foam::misfit::runState> Foam::misfit::concealedSide::ensembleStates
     {
         for (runState s : stages[0].states)
         {
-            if (s.resolution != "base" || (s.replicate && !replicate))
+            if (!s.isBase() || (s.replicate && !replicate))
             {
                 s.experiment = e;
                 states.append(s);
@@ -244,20 +244,21 @@ Foam::misfit::concealedSide::recorded(const fileName& folder) const
 
 
 Foam::misfit::settings
-Foam::misfit::concealedSide::known(settings given, const fileName& folder)
+Foam::misfit::concealedSide::known(settings set, const fileName& folder)
 {
     const fileName file(folder/"measured");
     const char* const dictionaryName = "libraryDict";
     const json measured(isFile(file, false) ? readJson(file) : json::object());
-    for (parameter& p : given.parameters)
+    for (parameter& p : set.parameters)
     {
         if (p.isMeasured != measured.contains(p.name))
         {
             FatalErrorInFunction
                 << "The parameter " << p.name << " is measured in "
                 << (p.isMeasured ? dictionaryName : file.c_str()) << ", not in "
-                << (p.isMeasured ? file.c_str() : dictionaryName) << ": give both dictionaries"
-                << " of the slice the same parameters, and make the cases again"
+                << (p.isMeasured ? file.c_str() : dictionaryName)
+                << ": give both dictionaries of the slice the same parameters, and make"
+                << " the cases again"
                 << exit(FatalError);
         }
         if (p.isMeasured)
@@ -265,7 +266,7 @@ Foam::misfit::concealedSide::known(settings given, const fileName& folder)
             p.measured = measured[p.name];
         }
     }
-    return given;
+    return set;
 }
 
 

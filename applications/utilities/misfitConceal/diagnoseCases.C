@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Diagnoses concealed cases, without a look at the key.
+// Diagnoses concealed cases, without reading the key.
 
 #include "concealedSide.H"
 #include "diagnosis.H"
@@ -95,7 +95,7 @@ fileNameList caseFolders(const fileName& folder)
 
 void Foam::misfit::diagnoseCases(concealedSide& library, const fileName& folder)
 {
-    const settings given(readSettings(library.dict()));
+    const settings common(readSettings(library.dict()));
     const fileNameList cases(caseFolders(folder));
     label n = 0;
     for (const fileName& c : cases)
@@ -106,7 +106,7 @@ void Foam::misfit::diagnoseCases(concealedSide& library, const fileName& folder)
             continue;
         }
         const recordings recorded(library.recorded(c));
-        const settings set(concealedSide::known(given, c));
+        const settings set(concealedSide::known(common, c));
         predictedSampler simulation(recorded, library, library.trainingEnsemble());
         const finding result(diagnose(simulation, set));
         const json proof =

@@ -154,9 +154,10 @@ void checkMade(const json& cases, const fileName& keyFile, const labelRange& the
         if (!these(number - 1))
         {
             FatalErrorInFunction
-                << "The key " << keyFile << " has case " << number << ", which is none of "
-                << these.min() + 1 << " to " << these.max() + 1 << ". Give another -folder"
-                << " and -key, or remove it and its cases" << exit(FatalError);
+                << "The key " << keyFile << " has case " << number
+                << ", which is none of " << these.min() + 1 << " to " << these.max() + 1
+                << ". Give another -folder and -key, or remove it and its cases"
+                << exit(FatalError);
         }
     }
 }
@@ -207,8 +208,8 @@ string nameOf(const label number)
 }
 
 
-//- These cases and their runs, or what is kept of them; those before are drawn as well, so
-//  that each is the same whatever others are made
+//- These cases and their runs, or what is kept of them; those before are drawn as well,
+//  so that each is the same whatever others are made
 List<caseToMake> withRuns
 (
     concealedSide& truth,
@@ -233,14 +234,14 @@ List<caseToMake> withRuns
             states.append(statesOf(key, experiments, replicate, times));
         }
     }
-    const List<prediction> given
+    const List<prediction> results
     (
         kept.empty() ? truth.predict(states) : truth.predict(states, kept)
     );
     const label each = states.size()/cases.size();
     forAll(cases, i)
     {
-        cases[i].runs = SubList<prediction>(given, each, i*each);
+        cases[i].runs = SubList<prediction>(results, each, i*each);
     }
     return cases;
 }
@@ -277,7 +278,7 @@ void writeRecordings
 }
 
 
-//- What the key says of a case
+//- What the key holds of a case
 json keyOf(const caseToMake& one, const recordings& all, const label times)
 {
     json k = {{"case", one.name}};
@@ -315,8 +316,8 @@ void Foam::misfit::makeCases
     if (these.max() >= mostCases)
     {
         FatalErrorInFunction
-            << these.max() + 1 << " cases are too many: at most " << mostCases << " have grains of"
-            << " their own" << exit(FatalError);
+            << these.max() + 1 << " cases are too many: at most " << mostCases
+            << " have grains of their own" << exit(FatalError);
     }
     const recordings& all = truth.bare();
     const label times = truth.nRecordings();

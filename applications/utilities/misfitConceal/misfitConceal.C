@@ -110,9 +110,9 @@ void checkAction(const argList& args)
       ? "-write writes one case, -compute computes an ensemble, and each does nothing"
         " else: give it alone"
       : !writes && (args.found("with") || args.found("replicate"))
-      ? "-with and -replicate say which case -write writes: give it, too"
+      ? "-with and -replicate choose which case -write writes: give it, too"
       : args.found("from") && !args.found("make")
-      ? "-from says which of the cases -make makes: give both"
+      ? "-from chooses which of the cases -make makes: give both"
       : args.found("keep") && !(args.found("make") && args.found("solver"))
       ? "-keep keeps the runs of -make with -solver: give both"
       : args.found("calibrate") && !args.found("table")
@@ -135,8 +135,8 @@ void checkAction(const argList& args)
 //- Of an option, from where the program was started
 fileName path(const argList& args, const word& option, const fileName& byDefault)
 {
-    fileName given(args.lookupOrDefault<fileName>(option, byDefault));
-    return given.toAbsolute();
+    fileName path(args.getOrDefault<fileName>(option, byDefault));
+    return path.toAbsolute();
 }
 
 
@@ -210,7 +210,7 @@ void writeCase
             << exit(FatalError);
     }
     concealedSide library(slice, ensembles, "library", true);
-    const word with(args.lookupOrDefault("with", word()));
+    const word with(args.getOrDefault("with", word()));
     runState state;
     for (const parameter& p : readParameters(library.dict().subDict("parameters")))
     {

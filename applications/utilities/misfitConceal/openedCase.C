@@ -82,8 +82,8 @@ vec sampled(const json& effect, const detectability& detect)
     vec all(detect.data.size());
     for (const segment& s : detect.data.segments)
     {
-        const json& given = effect.at(s.name);
-        const series change(listOf(given["t"]), listOf(given["change"]));
+        const json& entry = effect.at(s.name);
+        const series change(listOf(entry["t"]), listOf(entry["change"]));
         for (const channel& c : detect.recorded.channels())
         {
             if (c.name == s.name)

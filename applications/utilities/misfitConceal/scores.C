@@ -95,7 +95,7 @@ interval ofMean(const scalarList& values)
 
 
 //- goal: "<= 5" or ">= 90". "short": the value misses it; "shown": so does no
-//  value of the interval; "open": reached, but the sample is too small to say so
+//  value of the interval; "open": reached, but the sample is too small to show it
 std::string against(const interval& i, const std::string& goal)
 {
     if (goal.empty())

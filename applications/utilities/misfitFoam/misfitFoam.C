@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Says where a case and recordings part, and which physics is missing.
+// Reports where a case and recordings differ, and which physics is missing.
 
 #include "designReport.H"
 #include "diagnosis.H"
@@ -89,7 +89,7 @@ List<runState> ensembleOf(const emulatedPredictor& emulator, const recordings& r
 }
 
 
-//- Which mechanisms the experiment of a case could tell apart
+//- Which mechanisms the experiment of a case could distinguish
 void designOf
 (
     const IOdictionary& dict,
@@ -164,7 +164,12 @@ void putAnswerAside(const fileName& folder)
 
 
 //- Diagnose a case and write the answer into its folder misfit, or list the runs only
-void diagnosisOf(const IOdictionary& dict, const fileName& caseFolder, const bool onlyPlan)
+void diagnosisOf
+(
+    const IOdictionary& dict,
+    const fileName& caseFolder,
+    const bool onlyPlan
+)
 {
     const fileName folder(caseFolder/"misfit");
     if (!onlyPlan)
@@ -207,7 +212,7 @@ int main(int argc, char* argv[])
     Foam::answerVersion(argc, argv);
     argList::addNote
     (
-        "Compare a case with recordings and say which physics is missing."
+        "Compare a case with recordings and report which physics is missing."
         " See README.md beside the source."
     );
     argList::noParallel();
@@ -216,7 +221,7 @@ int main(int argc, char* argv[])
     argList::addBoolOption
     (
         "design",
-        "Without recordings: which mechanisms the experiment could tell apart"
+        "Without recordings: which mechanisms the experiment could distinguish"
     );
 
     startSerialTool();

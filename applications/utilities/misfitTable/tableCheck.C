@@ -51,8 +51,8 @@ statedCorrelations readStated(const dictionary& dict)
     keywords::check(dict, {"columns", "values"});
     const statedCorrelations stated
     {
-        dict.lookupOrDefault("columns", List<Pair<word>>()),
-        dict.lookupOrDefault("values", scalarList())
+        dict.getOrDefault("columns", List<Pair<word>>()),
+        dict.getOrDefault("values", scalarList())
     };
     if (stated.pairs.size() != stated.values.size())
     {
@@ -130,7 +130,7 @@ statistics::identity readIdentity(const dictionary& dict)
 //- Largest chance at which an exchange is named
 scalar readChance(const dictionary& dict)
 {
-    const scalar chance = dict.lookupOrDefault<scalar>("chance", 0.001);
+    const scalar chance = dict.getOrDefault<scalar>("chance", 0.001);
     if (chance <= 0 || chance > 1)
     {
         FatalIOErrorInFunction(dict)
@@ -197,7 +197,7 @@ tableCheck::tableCheck(const dictionary& dict)
         law,
         {numbers.leftCols(columns.size()), lines},
         readRoundings(dict.subDict("roundings"), columns),
-        dict.lookupOrDefault<scalar>("tolerance", 0.01)
+        dict.getOrDefault<scalar>("tolerance", 0.01)
     );
     missing = linesOfMissing(faults, lines, factorial.nRows());
     printed = faults.asPrinted();

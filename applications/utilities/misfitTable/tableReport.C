@@ -197,7 +197,8 @@ Foam::string Foam::misfit::report(const tableCheck& check)
         const columnFault& first = check.attempts.front();
         os  << n - check.printed.match.exact << " of " << n
             << " rows miss the identity by more than"
-            << " rounding (" << inLines(check.missing) << "), and no exchange of labels explains it. The nearest of "
+            << " rounding (" << inLines(check.missing)
+            << "), and no exchange of labels explains it. The nearest of "
             << check.attempts.size() << ", with a chance of "
             << numberWords(first.chance, 3) << ":\n    " << exchange(check, first)
             << '\n';

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the packings of system/packingDict and writes them as one LIGGGHTS data
-// file, constant/grains/data (without that folder constant/grains.data), with
-// constant/packingProperties beside its folder.
+// file, constant/grains/data (without that folder constant/grains.data), clumps as
+// constant/grains/clumps and clumpTemplates, with constant/packingProperties beside
+// the folder. Without a single sphere, constant/grains/box stands for the data.
 
-#include "grainContacts.H"
+#include "clumpRelaxation.H"
 #include "grainsData.H"
 #include "packingCache.H"
 
@@ -14,6 +15,11 @@
 #include "projectVersion.H"
 #include "serialTool.H"
 #include "uniformDimensionedFields.H"
+
+#include <cctype>
+#include <fstream>
+#include <limits>
+#include <sstream>
 
 namespace Foam
 {
@@ -77,6 +83,23 @@ boundBox readDomain(const dictionary& dict, const Time& runTime)
 }
 
 
+//- Fatal where LIGGGHTS does not take the name of a packing for that of a template
+void checkName(const dictionary& dict, const word& name)
+{
+    for (const char c : name)
+    {
+        if (!std::isalnum(c) && c != '_')
+        {
+            FatalIOErrorInFunction(dict)
+                << "The packing of clumps " << name << " has a name with '" << c
+                << "' in it, which LIGGGHTS does not take." << nl
+                << "    Name it with letters, digits and _ alone."
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
 PtrList<namedPacking> makePackings(const dictionary& dict, const vector& g)
 {
     PtrList<namedPacking> packings;
@@ -89,6 +112,10 @@ PtrList<namedPacking> makePackings(const dictionary& dict, const vector& g)
             autoPtr<namedPacking> next(new namedPacking);
             next->name = e.keyword();
             next->model = packingModel::New(e.dict(), g);
+            if (next->model->clump())
+            {
+                checkName(dict, next->name);
+            }
             next->grains = packingCache::obtain(next->model());
             packings.append(next.ptr());
         }
@@ -159,32 +186,26 @@ void checkInside
 }
 
 
-//- Number of the packing that each grain belongs to
-labelList packingOfGrain(const UPtrList<namedPacking>& packings)
-{
-    labelList number;
-    forAll(packings, i)
-    {
-        number.append(labelList(packings[i].grains.size(), i));
-    }
-    return number;
-}
-
-
 //- Grains of different packings must not overlap
 void checkApart
 (
     const dictionary& dict,
     const UPtrList<namedPacking>& packings,
-    const packedGrains& all,
     const packingBox& box
 )
 {
-    const labelList number(packingOfGrain(packings));
+    pointField centres;
+    scalarField diameters;
+    labelList number;
+    forAll(packings, i)
+    {
+        const packingModel& model = *packings[i].model;
+        centres.append(model.sphereCentres(packings[i].grains));
+        diameters.append(model.sphereDiameters(packings[i].grains));
+        number.append(labelList(centres.size() - number.size(), i));
+    }
 
-    const auto touching = pairsWithin(box, all.position, all.diameter, 0);
-
-    for (const grainPair& pair : touching)
+    for (const grainPair& pair : pairsOfBodies(box, centres, diameters, number, 0))
     {
         const label a = number[pair.first];
         const label b = number[pair.second];
@@ -192,8 +213,8 @@ void checkApart
         {
             FatalIOErrorInFunction(dict)
                 << "A grain of " << packings[a].name << " at "
-                << all.position[pair.first] << " overlaps one of "
-                << packings[b].name << " at " << all.position[pair.second]
+                << centres[pair.first] << " overlaps one of "
+                << packings[b].name << " at " << centres[pair.second]
                 << ": the boxes of packings must not overlap"
                 << exit(FatalIOError);
         }
@@ -201,7 +222,7 @@ void checkApart
 }
 
 
-//- All grains in the order of the dictionary, checked against each other
+//- All spheres in the order of the dictionary; all grains checked against each other
 packedGrains joined
 (
     const dictionary& dict,
@@ -213,12 +234,131 @@ packedGrains joined
     for (const namedPacking& packing : packings)
     {
         checkInside(dict, packing, domain);
-        all.append(packing.grains);
+        if (!packing.model->clump())
+        {
+            all.append(packing.grains);
+        }
     }
 
     const packingBox box(domain, periodicDirections(dict, packings, domain));
-    checkApart(dict, packings, all, box);
+    checkApart(dict, packings, box);
     return all;
+}
+
+
+//- Write a text to a file that replaces an earlier one. Fatal where it is not complete
+void writeText(const fileName& file, const std::string& text)
+{
+    const fileName aside(file + ".incomplete");
+    std::ofstream os(aside);
+    os << text;
+    os.close();
+    if (!os || !mv(aside, file))
+    {
+        FatalErrorInFunction
+            << "Could not write " << file
+            << ": is the disk full, may the folder be written to?" << exit(FatalError);
+    }
+}
+
+
+//- Write the clumps of all packings and the LIGGGHTS commands for their templates to
+//  files whose names begin so; none of an earlier call remains. Returns how many
+label writeClumps(const UPtrList<namedPacking>& packings, const string& path)
+{
+    DynamicList<placedClump> clumps;
+    std::ostringstream templates;
+    templates.precision(std::numeric_limits<scalar>::max_digits10);
+    templates << "# Templates of the clumps of preparePacking\n";
+    label n = 0;
+
+    for (const namedPacking& packing : packings)
+    {
+        const packingModel& model = *packing.model;
+        if (model.clump())
+        {
+            clumps.append(placedClumps(packing.name, packing.grains));
+            model.clump()->writeTemplate
+            (
+                templates, packing.name, model.material(), model.density(), ++n
+            );
+        }
+    }
+
+    rm(path + "clumps");
+    rm(path + "clumpTemplates");
+    if (n)
+    {
+        writeClumpTable(path + "clumps", clumps);
+        writeText(path + "clumpTemplates", templates.str());
+    }
+    return clumps.size();
+}
+
+
+//- Write the spheres, or where all grains are clumps LIGGGHTS's commands for their box:
+//  it reads no data without a grain. What an earlier call wrote is replaced
+void writeSpheres
+(
+    const packedGrains& grains,
+    const boundBox& domain,
+    const label nMaterials,
+    const string& path
+)
+{
+    rm(path + "data");
+    rm(path + "box");
+    if (grains.size())
+    {
+        const fileName file(path + "data");
+        writeGrainsData(file, grains, domain, "Grains of preparePacking", nMaterials);
+        Info<< nl << grains.size() << " grains written to " << file << nl;
+        return;
+    }
+
+    std::ostringstream os;
+    os.precision(std::numeric_limits<scalar>::max_digits10);
+    os << "# The box of the grains of preparePacking\nregion preparePacking block";
+    for (direction d = 0; d < 3; ++d)
+    {
+        os << ' ' << domain.min()[d] << ' ' << domain.max()[d];
+    }
+    os << " units box\ncreate_box " << nMaterials << " preparePacking\n";
+    writeText(path + "box", os.str());
+}
+
+
+//- Most materials of the packings, and of the dictionary
+label nMaterials(const dictionary& dict, const UPtrList<namedPacking>& packings)
+{
+    label n = dict.getOrDefault<label>("materials", 1);
+    for (const namedPacking& packing : packings)
+    {
+        n = max(n, packing.model->material());
+    }
+    return n;
+}
+
+
+//- Number of the first sphere of each packing: LIGGGHTS numbers spheres by
+//  themselves first, those of clumps behind them
+labelList firstIds(const UPtrList<namedPacking>& packings)
+{
+    labelList first(packings.size());
+    label next = 1;
+    for (const bool clumps : {false, true})
+    {
+        forAll(packings, i)
+        {
+            const packingModel& model = *packings[i].model;
+            if (bool(model.clump()) == clumps)
+            {
+                first[i] = next;
+                next += model.sphereGrains(packings[i].grains).size();
+            }
+        }
+    }
+    return first;
 }
 
 
@@ -238,12 +378,12 @@ void report(const UPtrList<namedPacking>& packings, const Time& runTime)
         )
     );
 
-    label first = 1;
-    for (const namedPacking& packing : packings)
+    const labelList first(firstIds(packings));
+    forAll(packings, i)
     {
+        const namedPacking& packing = packings[i];
         dictionary reached(packing.model->properties(packing.grains));
-        reached.add("firstId", first);
-        first += packing.grains.size();
+        reached.add("firstId", first[i]);
 
         Info<< nl << packing.name << nl;
         reached.write(Info, false);
@@ -291,21 +431,14 @@ int main(int argc, char* argv[])
 
     // In constant itself OpenFOAM's postProcess misses a header in it; cases that
     // have their scripts there read it there
-    const fileName file
-    (
-        isDir(folder/"grains") ? folder/"grains"/"data" : folder/"grains.data"
-    );
-    writeGrainsData
-    (
-        file,
-        grains,
-        domain,
-        "Grains of preparePacking",
-        dict.lookupOrDefault<label>("materials", 1)
-    );
+    const string path(folder + (isDir(folder/"grains") ? "/grains/" : "/grains."));
     report(packings, runTime);
-
-    Info<< nl << grains.size() << " grains written to " << file << nl
-        << endl;
+    writeSpheres(grains, domain, nMaterials(dict, packings), path);
+    const label nClumps = writeClumps(packings, path);
+    if (nClumps)
+    {
+        Info<< nClumps << " clumps written to " << fileName(path + "clumps") << nl;
+    }
+    Info<< endl;
     return 0;
 }

@@ -145,7 +145,7 @@ void printAll(const argList& args, const fileName& file)
         compare
         (
             readTable(file, pairOf(args, "compare")),
-            args.lookupOrDefault<scalar>("scatter", -1)
+            args.getOrDefault<scalar>("scatter", -1)
         );
     }
     if (args.found("powerLaw"))

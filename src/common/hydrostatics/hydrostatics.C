@@ -122,7 +122,7 @@ Foam::vector Foam::hydrostatics::periodicPart
             }
         }
 
-        // The rank with the largest share of g along its step has the say
+        // The rank with the largest share of g along its step decides
         vector part(step*(rest & step)/(magSqr(step) + VSMALL));
         reduce(part, maxMagSqrOp<vector>());
 

@@ -129,6 +129,47 @@ void Foam::checkGrainsInside
 }
 
 
+namespace
+{
+
+//- Share of its radius by which a grain may stand in a wall at the start
+constexpr Foam::scalar allowedInWall = 0.1;
+
+
+//- How far a grain reaches into the walls around its cell [m]; 0: not at all
+Foam::scalar overlapWithWalls
+(
+    const Foam::locatedGrain& grain,
+    const Foam::granularPhase& phase,
+    const Foam::fvMesh& mesh
+)
+{
+    using namespace Foam;
+
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    scalar deepest = 0;
+
+    for (const label f : mesh.cells()[grain.cell])
+    {
+        const label patch = mesh.isInternalFace(f) ? -1 : patches.whichPatch(f);
+
+        if (patch >= 0 && phase.isWall(patches[patch]))
+        {
+            const vector n(mesh.faceAreas()[f]/mag(mesh.faceAreas()[f]));
+            deepest = max
+            (
+                deepest,
+                grain.radius + ((grain.position - mesh.faceCentres()[f]) & n)
+            );
+        }
+    }
+
+    return deepest;
+}
+
+} // End anonymous namespace
+
+
 void Foam::checkGrainsInWalls
 (
     const granularPhase& phase,
@@ -141,32 +182,18 @@ void Foam::checkGrainsInWalls
     point deepestAt(Zero);
     scalar deepest = 0;
 
-    const polyBoundaryMesh& patches = mesh.boundaryMesh();
-
     for (const locatedGrain& grain : exchange.grains())
     {
-        for (const label f : mesh.cells()[grain.cell])
+        const scalar overlap = overlapWithWalls(grain, phase, mesh);
+
+        if (overlap > allowedInWall*grain.radius)
         {
-            const label patch = mesh.isInternalFace(f) ? -1 : patches.whichPatch(f);
-
-            if (patch < 0 || !phase.isWall(patches[patch]))
+            ++nIn;
+            if (overlap > deepest)
             {
-                continue;
-            }
-
-            const vector n(mesh.faceAreas()[f]/mag(mesh.faceAreas()[f]));
-            const scalar overlap =
-                grain.radius + ((grain.position - mesh.faceCentres()[f]) & n);
-
-            if (overlap > 0.1*grain.radius)
-            {
-                ++nIn;
-                if (overlap > deepest)
-                {
-                    deepest = overlap;
-                    deepestId = grain.id;
-                    deepestAt = grain.position;
-                }
+                deepest = overlap;
+                deepestId = grain.id;
+                deepestAt = grain.position;
             }
         }
     }

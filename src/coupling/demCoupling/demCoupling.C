@@ -85,7 +85,7 @@ Foam::demCoupling::demCoupling
     nEntered_(0),
     largestWarned_(0)
 {
-    // On written data grains are read where they are looked at
+    // On written data grains are read by what needs them
     if (functionObject::postProcess)
     {
         return;
@@ -151,7 +151,7 @@ void Foam::demCoupling::startAlone() const
     const dictionary& control = mesh_.time().controlDict();
     const scalar deltaT = control.get<scalar>("deltaT");
     const scalar interval = clock_->interval();
-    if (mag(deltaT - interval) > 1e-6*interval)
+    if (mag(deltaT - interval) > exchangeClock::roundOff*interval)
     {
         IOWarningInFunction(control)
             << "deltaT " << deltaT << " s is not used: without a fluid a step is an"

@@ -34,6 +34,8 @@ bool Foam::demCoupling::writeCloud() const
     if (phase_->hasClumps())
     {
         located.clump = exchange_->toCells(moved->clump);
+        located.share = exchange_->toCells(moved->share);
+        located.clumpDiameter = exchange_->toCells(moved->clumpDiameter);
     }
 
     for (const word& wall : moved->wallForce.sortedToc())

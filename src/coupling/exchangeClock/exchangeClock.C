@@ -6,11 +6,21 @@
 #include "OStringStream.H"
 #include "Time.H"
 
+namespace
+{
+    using namespace Foam;
+
+    //- The largest step, not above the longest, of which a time is a whole number [s]
+    scalar stepIn(const scalar time, const scalar longest)
+    {
+        return time/std::ceil(time/longest*(1 - exchangeClock::roundOff));
+    }
+}
+
+
 Foam::scalar Foam::exchangeClock::stepInInterval(const scalar longest) const
 {
-    const scalar remaining = interval() - (due() ? 0 : elapsed_);
-
-    return remaining/std::ceil(remaining/longest*(1 - 1e-6));
+    return stepIn(interval() - (due() ? 0 : elapsed_), longest);
 }
 
 
@@ -19,7 +29,7 @@ Foam::string Foam::exchangeClock::writingFault(const Time& runTime) const
     const dictionary& control = runTime.controlDict();
     const word writeControl
     (
-        control.lookupOrDefault<word>("writeControl", "timeStep")
+        control.getOrDefault<word>("writeControl", "timeStep")
     );
     const scalar interval = phase_.exchangeInterval();
     OStringStream fault;
@@ -40,7 +50,7 @@ Foam::string Foam::exchangeClock::writingFault(const Time& runTime) const
         return fault.str();
     }
 
-    if (control.lookupOrDefault<label>("purgeWrite", 0) == 1)
+    if (control.getOrDefault<label>("purgeWrite", 0) == 1)
     {
         fault
             << "purgeWrite 1 removes the last time before the next one is"
@@ -77,9 +87,9 @@ Foam::string Foam::exchangeClock::stepFault(const Time& runTime) const
 {
     const scalar interval = phase_.exchangeInterval();
     const scalar deltaT = runTime.controlDict().get<scalar>("deltaT");
-    const scalar fitting = interval/std::ceil(interval/deltaT*(1 - 1e-6));
+    const scalar fitting = stepIn(interval, deltaT);
 
-    if (mag(fitting - deltaT) <= 1e-6*deltaT)
+    if (mag(fitting - deltaT) <= roundOff*deltaT)
     {
         return string();
     }

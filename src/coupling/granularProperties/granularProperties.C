@@ -6,7 +6,10 @@
 #include "DynamicList.H"
 #include "OSspecific.H"
 #include "Time.H"
+#include "dragModel.H"
+#include "hasFluid.H"
 #include "keywords.H"
+#include "smoothingModel.H"
 
 Foam::granularProperties::granularProperties(const fvMesh& mesh)
 :
@@ -25,7 +28,7 @@ Foam::granularProperties::granularProperties(const fvMesh& mesh)
     stepsPerExchange_
     (
         keywords::sub(*this, "exchange", {"interval", "relaxationTime"})
-            .lookupOrDefault<label>("interval", 10)
+            .getOrDefault<label>("interval", 10)
     ),
     relaxationTime_
     (
@@ -82,8 +85,8 @@ bool Foam::granularProperties::withoutFluid(const fvMesh& mesh)
             granularProperties(mesh),
             "fluid",
             "fluid",
-            {"volumeOfFluid", "none"},
-            "volumeOfFluid"
+            {defaultFluid, "none"},
+            defaultFluid
         ) == "none";
 }
 
@@ -112,8 +115,8 @@ void Foam::granularProperties::checkSmoothing(const granularPhase& phase) const
     if
     (
         !phase.hasContactRadius()
-     && drag.lookupOrDefault<word>("model", "DiFelice") != "none"
-     && smoothing.lookupOrDefault<word>("model", "diffusion") != "none"
+     && drag.getOrDefault<word>("model", dragModel::defaultModel) != "none"
+     && smoothing.getOrDefault<word>("model", smoothingModel::defaultModel) != "none"
      && !smoothing.found("drag")
     )
     {

@@ -51,64 +51,44 @@ namespace
         return
         {
             {
-                "listForces",
-                "forces between fluid and grains",
-                "interphaseForces",
-                forceModels::names()
+                "listForces", "forces between fluid and grains",
+                "interphaseForces", forceModels::names()
             },
             {
-                "listDragModels",
-                "drag models",
-                forces + "drag/model",
-                lawsOf<dragModel>()
+                "listDragModels", "drag models",
+                forces + "drag/model", lawsOf<dragModel>()
             },
             {
-                "listDragShapes",
-                "drag of grains that are not spheres",
-                forces + "drag/shape/model",
-                lawsOf<shapeFactor>()
+                "listDragShapes", "drag of grains that are not spheres",
+                forces + "drag/shape/model", lawsOf<shapeFactor>()
             },
             {
-                "listLiftModels",
-                "lift models",
-                forces + "lift/model",
-                lawsOf<liftModel>()
+                "listLiftModels", "lift models",
+                forces + "lift/model", lawsOf<liftModel>()
             },
             {
-                "listVirtualMassModels",
-                "virtual mass models",
-                forces + "virtualMass/model",
-                lawsOf<virtualMassModel>()
+                "listVirtualMassModels", "virtual mass models",
+                forces + "virtualMass/model", lawsOf<virtualMassModel>()
             },
             {
-                "listRotationalDragModels",
-                "rotational drag models",
-                forces + "rotationalDrag/model",
-                lawsOf<rotationalDragModel>()
+                "listRotationalDragModels", "rotational drag models",
+                forces + "rotationalDrag/model", lawsOf<rotationalDragModel>()
             },
             {
-                "listVoidFractionModels",
-                "void fraction models",
-                "voidFraction/model",
-                namesOf<voidFractionModel>()
+                "listVoidFractionModels", "void fraction models",
+                "voidFraction/model", namesOf<voidFractionModel>()
             },
             {
-                "listSmoothingModels",
-                "smoothing models",
-                "voidFraction/smoothing/model",
-                namesOf<smoothingModel>()
+                "listSmoothingModels", "smoothing models",
+                "voidFraction/smoothing/model", namesOf<smoothingModel>()
             },
             {
-                "listGranularPhases",
-                "granular phases",
-                "granularPhase",
-                namesOf<granularPhase>()
+                "listGranularPhases", "granular phases",
+                "granularPhase", namesOf<granularPhase>()
             },
             {
-                "listConstitutiveLaws",
-                "constitutive laws of material points",
-                "law of a body",
-                namesOf<constitutiveLaw>()
+                "listConstitutiveLaws", "constitutive laws of material points",
+                "law of a body", namesOf<constitutiveLaw>()
             }
         };
     }

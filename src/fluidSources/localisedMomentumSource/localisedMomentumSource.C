@@ -201,13 +201,13 @@ Foam::fv::localisedMomentumSource::localisedMomentumSource
     force_
     (
         coeffs_.get<scalar>("force")
-       *coeffs_.lookupOrDefault<scalar>("strength", 1)
+       *coeffs_.getOrDefault<scalar>("strength", 1)
     ),
     place_(coeffs_.get<scalar>("place")),
     reach_(coeffs_.get<Pair<scalar>>("reach")),
     time_(coeffs_.get<scalar>("time")),
     lasting_(coeffs_.get<Pair<scalar>>("lasting")),
-    phase_(coeffs_.lookupOrDefault<word>("phase", "alpha.water")),
+    phase_(coeffs_.getOrDefault<word>("phase", "alpha.water")),
     height_(0),
     written_(-1)
 {

@@ -37,8 +37,8 @@ Foam::permeableWallFvPatchVectorField::permeableWallFvPatchVectorField
 :
     fixedValueFvPatchVectorField(p, iF, dict, false),
     conductance_(dict.get<scalar>("conductance")),
-    outside_(dict.lookupOrDefault<scalar>("outside", 0)),
-    strength_(dict.lookupOrDefault<scalar>("strength", 1)),
+    outside_(dict.getOrDefault<scalar>("outside", 0)),
+    strength_(dict.getOrDefault<scalar>("strength", 1)),
     lastUpdate_(-1)
 {
     keywords::check

@@ -30,8 +30,8 @@ Foam::fv::sideWallFriction::sideWallFriction
 :
     option(name, modelType, dict, mesh),
     width_(coeffs_.get<scalar>("width")),
-    friction_(coeffs_.lookupOrDefault<scalar>("friction", 0.02)),
-    strength_(coeffs_.lookupOrDefault<scalar>("strength", 1))
+    friction_(coeffs_.getOrDefault<scalar>("friction", 0.02)),
+    strength_(coeffs_.getOrDefault<scalar>("strength", 1))
 {
     keywords::check
     (

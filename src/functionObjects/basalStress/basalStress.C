@@ -81,9 +81,9 @@ bool Foam::functionObjects::basalStress::read(const dictionary& dict)
     patches_ = flumeSettings::patches(dict, mesh_);
     direction_ =
         keywords::unitVector(dict, "direction", frame_.downslope());
-    binWidth_ = dict.lookupOrDefault<scalar>("binWidth", 0.1);
-    pName_ = dict.lookupOrDefault<word>("p", "p");
-    UName_ = dict.lookupOrDefault<word>("U", "U");
+    binWidth_ = dict.getOrDefault<scalar>("binWidth", 0.1);
+    pName_ = dict.getOrDefault<word>("p", "p");
+    UName_ = dict.getOrDefault<word>("U", "U");
 
     if (binWidth_ <= 0)
     {
@@ -173,38 +173,28 @@ Foam::functionObjects::basalStress::grainForce() const
     bins result(emptyBins());
     const grainSnapshot& all = grains();
 
+    const auto addToBin = [&](const label i, const vector& force)
+    {
+        // A grain touches a bit beyond the wall's end too
+        const scalar s = max
+        (
+            min
+            (
+                all.position[i] & direction_,
+                result[0].end() - 1e-6*binWidth_
+            ),
+            start_
+        );
+
+        for (direction d = 0; d < 3; ++d)
+        {
+            result[d].add(s, -force[d]);
+        }
+    };
+
     for (const label patchi : patches_)
     {
-        const word& patch = mesh_.boundary()[patchi].name();
-
-        if (!all.wallForce.found(patch))
-        {
-            continue;
-        }
-
-        const vectorField& force = all.wallForce[patch];
-
-        forAll(force, i)
-        {
-            if (magSqr(force[i]) > 0)
-            {
-                // A grain touches a bit beyond the wall's end too
-                const scalar s = max
-                (
-                    min
-                    (
-                        all.position[i] & direction_,
-                        result[0].end() - 1e-6*binWidth_
-                    ),
-                    start_
-                );
-
-                for (direction d = 0; d < 3; ++d)
-                {
-                    result[d].add(s, -force[i][d]);
-                }
-            }
-        }
+        forEachWallForce(all, mesh_.boundary()[patchi].name(), addToBin);
     }
 
     reduceAll(result);

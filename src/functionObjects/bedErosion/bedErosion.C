@@ -63,24 +63,24 @@ bool Foam::functionObjects::bedErosion::read(const dictionary& dict)
     );
 
     types_ = labelHashSet(dict.get<labelList>("bedTypes"));
-    stripWidth_ = dict.lookupOrDefault<scalar>("stripWidth", 0.01);
-    planWidth_ = dict.lookupOrDefault<scalar>("planWidth", 0.02);
-    width_ = dict.lookupOrDefault<scalar>("width", box().span().y());
-    packing_ = dict.lookupOrDefault<scalar>("packing", 0);
+    stripWidth_ = dict.getOrDefault<scalar>("stripWidth", 0.01);
+    planWidth_ = dict.getOrDefault<scalar>("planWidth", 0.02);
+    width_ = dict.getOrDefault<scalar>("width", box().span().y());
+    packing_ = dict.getOrDefault<scalar>("packing", 0);
     depthRange_ =
         flumeSettings::range(dict, "depthRange", {1.2, 1.4}, box());
     rateRange_ = flumeSettings::range(dict, "rateRange", {1.1, 1.3}, box());
     layerRange_ =
         flumeSettings::range(dict, "layerRange", depthRange_, box());
-    rateWindow_ = dict.lookupOrDefault<scalar>("rateWindow", 0.1);
-    xStart_ = dict.lookupOrDefault<scalar>("xStart", 0.6);
-    smoothing_ = dict.lookupOrDefault<scalar>("smoothing", 0.05);
-    threshold_ = dict.lookupOrDefault<scalar>("threshold", 0.001);
-    onset_ = dict.lookupOrDefault<scalar>("onset", 0.001);
-    attenuation_ = dict.lookupOrDefault<scalar>("attenuation", 0.05);
-    bouncingSpeed_ = dict.lookupOrDefault<scalar>("bouncingSpeed", 0);
-    creepingSpeed_ = dict.lookupOrDefault<scalar>("creepingSpeed", 0);
-    nFarthest_ = dict.lookupOrDefault<label>("nFarthest", 10);
+    rateWindow_ = dict.getOrDefault<scalar>("rateWindow", 0.1);
+    xStart_ = dict.getOrDefault<scalar>("xStart", 0.6);
+    smoothing_ = dict.getOrDefault<scalar>("smoothing", 0.05);
+    threshold_ = dict.getOrDefault<scalar>("threshold", 0.001);
+    onset_ = dict.getOrDefault<scalar>("onset", 0.001);
+    attenuation_ = dict.getOrDefault<scalar>("attenuation", 0.05);
+    bouncingSpeed_ = dict.getOrDefault<scalar>("bouncingSpeed", 0);
+    creepingSpeed_ = dict.getOrDefault<scalar>("creepingSpeed", 0);
+    nFarthest_ = dict.getOrDefault<label>("nFarthest", 10);
 
     if (types_.empty())
     {
@@ -213,13 +213,13 @@ Foam::functionObjects::bedErosion::carried(const bedGrains& bed) const
 
     forAll(bed.d, i)
     {
-        volume += constant::mathematical::pi*pow3(bed.d[i])/6;
+        volume += bed.volume[i];
         const vector& c = bed.centre[i];
         const scalar top = reference_.highest[grid.find(c.x(), c.y())];
 
         if (c.x() > reference_.end + bed.d[i] || c.z() > top + bed.d[i]/2)
         {
-            number.add(c.x(), 1);
+            number.add(c.x(), bed.partOfBody[i]);
             farthest = max(farthest, c.x());
         }
     }
@@ -279,7 +279,7 @@ Foam::functionObjects::bedErosion::layerLine(const bedGrains& bed) const
     for (const bedLayer& l : {in.bouncing, in.creeping, in.stationary})
     {
         const scalar thickness = l.volume/(reference_.packing*width_*(x2 - x1));
-        line.append(scalarList({thickness, l.U, scalar(l.n)}));
+        line.append(scalarList({thickness, l.U, l.n}));
     }
     return line;
 }
@@ -330,7 +330,7 @@ bool Foam::functionObjects::bedErosion::sample()
         Lc, far.second(), grains.farthest(),
         moving.UMoving, moving.bouncing.U,
         extent.eroded*solid, extent.deposited*solid,
-        gSum((constant::mathematical::pi*pow3(grains.d)/6)()),
+        gSum(grains.volume),
         extent.raisedEnd, UBed
     };
     layerLine_ = layerLine(grains);

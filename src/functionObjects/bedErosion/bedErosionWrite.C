@@ -154,8 +154,8 @@ void Foam::functionObjects::bedErosion::writeVelocities
 
         if (x >= layerRange_.first() && x <= layerRange_.second())
         {
-            volume.add(bed.centre[i].z(), bed.volume(i));
-            flux.add(bed.centre[i].z(), bed.volume(i)*bed.U[i].x());
+            volume.add(bed.centre[i].z(), bed.volume[i]);
+            flux.add(bed.centre[i].z(), bed.volume[i]*bed.U[i].x());
         }
     }
 

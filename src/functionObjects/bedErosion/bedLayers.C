@@ -11,7 +11,7 @@ namespace
 //- From sums on this rank to means over all
 void finish(Foam::bedLayer& layer)
 {
-    Foam::reduce(layer.n, Foam::sumOp<Foam::label>());
+    Foam::reduce(layer.n, Foam::sumOp<Foam::scalar>());
     Foam::reduce(layer.volume, Foam::sumOp<Foam::scalar>());
     Foam::reduce(layer.U, Foam::sumOp<Foam::scalar>());
     layer.U /= Foam::max(layer.volume, Foam::VSMALL);
@@ -41,9 +41,9 @@ Foam::bedLayers::bedLayers
               : speed > creepingSpeed ? creeping
               : stationary;
 
-            ++layer.n;
-            layer.volume += bed.volume(i);
-            layer.U += bed.volume(i)*bed.U[i].x();
+            layer.n += bed.partOfBody[i];
+            layer.volume += bed.volume[i];
+            layer.U += bed.volume[i]*bed.U[i].x();
         }
     }
 

@@ -21,7 +21,10 @@ Foam::bedGrains::bedGrains
     centre(chosen.size()),
     U(chosen.size()),
     d(chosen.size()),
-    mass(chosen.size())
+    mass(chosen.size()),
+    volume(chosen.size()),
+    partOfBody(chosen.size()),
+    bodyDiameter(chosen.size())
 {
     forAll(chosen, i)
     {
@@ -33,21 +36,18 @@ Foam::bedGrains::bedGrains
         U[i].z() = u & frame.normal();
         d[i] = grains.d[chosen[i]];
         mass[i] = grains.mass[chosen[i]];
+        volume[i] = grains.volume(chosen[i]);
+        partOfBody[i] = grains.partOfBody(chosen[i]);
+        bodyDiameter[i] = grains.bodyDiameter(chosen[i]);
     }
-}
-
-
-Foam::scalar Foam::bedGrains::volume(const label i) const
-{
-    return constant::mathematical::pi*pow3(d[i])/6;
 }
 
 
 Foam::scalar Foam::bedGrains::meanDiameter() const
 {
-    const scalar d3 = gSum(pow3(d)());
+    const scalar d3 = gSum((partOfBody*pow3(bodyDiameter))());
 
-    return d3 > 0 ? gSum(pow4(d)())/d3 : 0;
+    return d3 > 0 ? gSum((partOfBody*pow4(bodyDiameter))())/d3 : 0;
 }
 
 
@@ -80,7 +80,7 @@ Foam::strips Foam::bedGrains::alongFlume
 
     forAll(centre, i)
     {
-        along.addSphere(centre[i].x(), d[i]/2, volume(i));
+        along.addSphere(centre[i].x(), d[i]/2, volume[i]);
     }
 
     along.reduce();
@@ -94,7 +94,7 @@ Foam::scalarField Foam::bedGrains::overPlan(const planGrid& grid) const
 
     forAll(centre, i)
     {
-        result[grid.find(centre[i].x(), centre[i].y())] += volume(i);
+        result[grid.find(centre[i].x(), centre[i].y())] += volume[i];
     }
 
     reduce(result, sumOp<scalarField>());
@@ -143,7 +143,7 @@ Foam::scalar Foam::corePacking
 
         if (strip >= 0 && along.values()[strip] >= enough)
         {
-            height.addSphere(bed.centre[i].z(), bed.d[i]/2, bed.volume(i));
+            height.addSphere(bed.centre[i].z(), bed.d[i]/2, bed.volume[i]);
         }
     }
     height.reduce();

@@ -114,8 +114,8 @@ bool Foam::functionObjects::collisionLoad::read(const dictionary& dict)
     types_ = labelHashSet(dict.get<labelList>("types"));
     range_ = flumeSettings::range(dict, "range", {1.1, 1.3}, box());
     window_ = flumeSettings::range(dict, "window", {0.5, 0.7});
-    surgeFront_ = dict.lookupOrDefault<word>("surgeFront", "");
-    mass_ = dict.lookupOrDefault<scalar>("mass", 0);
+    surgeFront_ = dict.getOrDefault<word>("surgeFront", "");
+    mass_ = dict.getOrDefault<scalar>("mass", 0);
 
     return true;
 }

@@ -14,7 +14,7 @@ Foam::flumeFrame::flumeFrame()
 
 Foam::flumeFrame::flumeFrame(const dictionary& dict)
 :
-    origin_(dict.lookupOrDefault<vector>("origin", vector::zero)),
+    origin_(dict.getOrDefault<vector>("origin", vector::zero)),
     x_(keywords::unitVector(dict, "downslope", vector(1, 0, 0))),
     z_(keywords::unitVector(dict, "normal", vector(0, 0, 1)))
 {

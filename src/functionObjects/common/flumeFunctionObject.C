@@ -4,6 +4,7 @@
 #include "flumeFunctionObject.H"
 
 #include "gravityMeshObject.H"
+#include "hasFluid.H"
 #include "keywords.H"
 #include "mathematicalConstants.H"
 #include "snapshotCache.H"
@@ -63,10 +64,10 @@ bool Foam::functionObjects::flumeFunctionObject::read(const dictionary& dict)
     compatibility::writeFile::read(dict);
 
     frame_ = flumeFrame(dict);
-    alphaName_ = dict.lookupOrDefault<word>("alpha", "alpha.water");
+    alphaName_ = dict.getOrDefault<word>("alpha", "alpha.water");
     voidFractionName_ =
-        dict.lookupOrDefault<word>("voidFraction", "voidFraction");
-    rhoWater_ = dict.lookupOrDefault<scalar>("rhoWater", densityOfWater());
+        dict.getOrDefault<word>("voidFraction", "voidFraction");
+    rhoWater_ = dict.getOrDefault<scalar>("rhoWater", densityOfWater());
 
     // Read and reduced by all ranks at once: what is sampled may lie on one alone
     if
@@ -110,8 +111,7 @@ bool Foam::functionObjects::flumeFunctionObject::hasFluid(const fvMesh& mesh)
         )
     );
 
-    return
-        properties.lookupOrDefault<word>("fluid", "volumeOfFluid") != "none";
+    return Foam::hasFluid(properties);
 }
 
 
@@ -203,7 +203,7 @@ Foam::scalar Foam::functionObjects::flumeFunctionObject::extent
             (
                 frame_.z(all.position[i]),
                 all.d[i]/2,
-                constant::mathematical::pi*pow3(all.d[i])/6
+                all.volume(i)
             );
         }
     }

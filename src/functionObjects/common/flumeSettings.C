@@ -39,8 +39,8 @@ Foam::labelList Foam::flumeSettings::patches
         FatalIOErrorInFunction(dict)
             << "patches in " << dict.name() << " is" << keywords::listed(names).c_str()
             << ", which have no face." << nl
-            << "    Is a barrier beyond the mesh, or its box in system/topoSetDict between"
-            << " faces?" << exit(FatalIOError);
+            << "    Is a barrier beyond the mesh, or its box in system/topoSetDict"
+            << " between faces?" << exit(FatalIOError);
     }
     return patches;
 }

@@ -33,8 +33,8 @@ void Foam::keptSeries::keep(const word& name, sampleSeries& series)
 
     series = sampleSeries
     (
-        read.lookupOrDefault("times", scalarList()),
-        read.lookupOrDefault("values", scalarList())
+        read.getOrDefault("times", scalarList()),
+        read.getOrDefault("values", scalarList())
     );
     series_.set(name, &series);
 }

@@ -56,8 +56,8 @@ void Foam::snapshotCache::checkNoClumps(const functionObject& asks) const
             << "Function object " << asks.name() << " of type " << asks.type()
             << " takes each grain for a sphere, but there are clumps of spheres"
             << " that overlap." << nl
-            << "    Take it out of system/controlDict. basalStress, grainTrack,"
-            << " massBalance, sideView and wallLoad know clumps."
+            << "    Take it out of system/controlDict. collisionLoad, displacedGrains and"
+            << " grainStress do not know clumps."
             << exit(FatalError);
     }
 }

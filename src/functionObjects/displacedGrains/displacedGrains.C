@@ -69,15 +69,15 @@ bool Foam::functionObjects::displacedGrains::read(const dictionary& dict)
         }
     );
 
-    types_ = labelHashSet(dict.lookupOrDefault("types", labelList()));
-    bedTypes_ = labelHashSet(dict.lookupOrDefault("bedTypes", labelList()));
-    threshold_ = dict.lookupOrDefault<scalar>("threshold", 0);
-    speed_ = dict.lookupOrDefault<scalar>("speed", 0);
-    sections_ = dict.lookupOrDefault("sections", scalarList());
-    sectionWidth_ = dict.lookupOrDefault<scalar>("sectionWidth", 0.02);
-    packing_ = dict.lookupOrDefault<scalar>("packing", 0.6);
-    width_ = dict.lookupOrDefault<scalar>("width", box().span().y());
-    discs_ = dict.lookupOrDefault("discs", false);
+    types_ = labelHashSet(dict.getOrDefault("types", labelList()));
+    bedTypes_ = labelHashSet(dict.getOrDefault("bedTypes", labelList()));
+    threshold_ = dict.getOrDefault<scalar>("threshold", 0);
+    speed_ = dict.getOrDefault<scalar>("speed", 0);
+    sections_ = dict.getOrDefault("sections", scalarList());
+    sectionWidth_ = dict.getOrDefault<scalar>("sectionWidth", 0.02);
+    packing_ = dict.getOrDefault<scalar>("packing", 0.6);
+    width_ = dict.getOrDefault<scalar>("width", box().span().y());
+    discs_ = dict.getOrDefault("discs", false);
 
     if (sectionWidth_ <= 0 || packing_ <= 0 || packing_ > 1 || width_ <= 0)
     {

@@ -135,7 +135,7 @@ void Foam::grainOrigins::readGrains
     const fileName& file
 )
 {
-    // Written times are all looked at, and a later grain is not seen before its time
+    // Written times are all sampled, and a later grain is not seen before its time
     const scalar last = functionObject::postProcess ? GREAT : now();
 
     for (label i = 0; i < n; ++i)

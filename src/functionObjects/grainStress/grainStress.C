@@ -85,18 +85,18 @@ bool Foam::functionObjects::grainStress::read(const dictionary& dict)
         }
     );
 
-    types_ = labelHashSet(dict.lookupOrDefault("types", labelList()));
-    kinetic_ = dict.lookupOrDefault("kinetic", false);
+    types_ = labelHashSet(dict.getOrDefault("types", labelList()));
+    kinetic_ = dict.getOrDefault("kinetic", false);
     turned_ =
         keywords::choice(dict, "axes", "axes", {"mesh", "flume"}, "mesh")
      == "flume";
     follow_ =
         keywords::choice(dict, "follow", "follow", {"none", "surface"}, "none")
      == "surface";
-    speed_ = dict.lookupOrDefault<scalar>("speed", 0.01);
-    spheres_ = dict.lookupOrDefault("spheres", rounds());
-    circles_ = dict.lookupOrDefault("circles", rounds());
-    boxes_ = dict.lookupOrDefault("boxes", List<Tuple2<point, point>>());
+    speed_ = dict.getOrDefault<scalar>("speed", 0.01);
+    spheres_ = dict.getOrDefault("spheres", rounds());
+    circles_ = dict.getOrDefault("circles", rounds());
+    boxes_ = dict.getOrDefault("boxes", List<Tuple2<point, point>>());
 
     if (!nRegions())
     {

@@ -91,9 +91,9 @@ bool Foam::functionObjects::grainTrack::read(const dictionary& dict)
     flumeFunctionObject::read(dict);
     checkKeys(dict, {"ids", "points", "types"});
 
-    types_ = labelHashSet(dict.lookupOrDefault("types", labelList()));
-    points_ = dict.lookupOrDefault("points", pointField());
-    const labelList given(dict.lookupOrDefault("ids", labelList()));
+    types_ = labelHashSet(dict.getOrDefault("types", labelList()));
+    points_ = dict.getOrDefault("points", pointField());
+    const labelList given(dict.getOrDefault("ids", labelList()));
 
     if (given.empty() == points_.empty())
     {

@@ -73,7 +73,7 @@ bool Foam::functionObjects::massBalance::read(const dictionary& dict)
         }
     );
 
-    fluxName_ = dict.lookupOrDefault<word>("alphaPhi", "alphaPhi");
+    fluxName_ = dict.getOrDefault<word>("alphaPhi", "alphaPhi");
 
     return true;
 }

@@ -114,14 +114,14 @@ bool Foam::functionObjects::overflow::read(const dictionary& dict)
         dict.get<Tuple2<scalar, scalar>>("range"),
         box()
     );
-    width_ = dict.lookupOrDefault<scalar>("width", box().span().y());
-    layer_ = dict.lookupOrDefault<scalar>
+    width_ = dict.getOrDefault<scalar>("width", box().span().y());
+    layer_ = dict.getOrDefault<scalar>
     (
         "layer", 2*cbrt(gSum(mesh_.V())/mesh_.globalData().nTotalCells())
     );
-    threshold_ = dict.lookupOrDefault<scalar>("threshold", 0.1);
-    landing_ = dict.lookupOrDefault<scalar>("landing", crest_.z()/2);
-    UName_ = dict.lookupOrDefault<word>("U", "U");
+    threshold_ = dict.getOrDefault<scalar>("threshold", 0.1);
+    landing_ = dict.getOrDefault<scalar>("landing", crest_.z()/2);
+    UName_ = dict.getOrDefault<word>("U", "U");
 
     boundBox wide(box());
     wide.inflate(1e-6);
@@ -199,7 +199,7 @@ Foam::flowThrough Foam::functionObjects::overflow::within
 
         if (share > 0)
         {
-            const scalar V = constant::mathematical::pi*pow3(all.d[i])/6;
+            const scalar V = all.volume(i);
             add(true, share*V, all.mass[i]/V, p.x(), frame_.components(all.U[i]));
         }
     }
@@ -256,7 +256,7 @@ Foam::functionObjects::overflow::heights() const
             (
                 p.z(),
                 all.d[i]/2,
-                share*constant::mathematical::pi*pow3(all.d[i])/6
+                share*all.volume(i)
             );
         }
     }

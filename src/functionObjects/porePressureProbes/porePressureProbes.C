@@ -62,17 +62,17 @@ bool Foam::functionObjects::porePressureProbes::read(const dictionary& dict)
 
     probes_ = dict.get<pointField>("probes");
     patchName_ = dict.get<word>("patch");
-    pName_ = dict.lookupOrDefault<word>("p", "p");
+    pName_ = dict.getOrDefault<word>("p", "p");
     level_ =
-        levelNames.lookupOrDefault("hydrostatic", dict, levelType::vertical);
-    radius_ = dict.lookupOrDefault<scalar>("radius", 0.1);
-    highShare_ = dict.lookupOrDefault<scalar>("highShare", 0.5);
-    lowShare_ = dict.lookupOrDefault<scalar>("lowShare", 0.05);
+        levelNames.getOrDefault("hydrostatic", dict, levelType::vertical);
+    radius_ = dict.getOrDefault<scalar>("radius", 0.1);
+    highShare_ = dict.getOrDefault<scalar>("highShare", 0.5);
+    lowShare_ = dict.getOrDefault<scalar>("lowShare", 0.05);
 
-    average_ = dict.lookupOrDefault<Switch>("average", false);
+    average_ = dict.getOrDefault<Switch>("average", false);
     lineDone_ = true;
 
-    excessShown_ = dict.lookupOrDefault<scalar>("excessPressure", -1);
+    excessShown_ = dict.getOrDefault<scalar>("excessPressure", -1);
 
     findPlaces(dict);
     pressure_.setSize(probes_.size());
@@ -189,7 +189,7 @@ Foam::functionObjects::porePressureProbes::excessShown() const
         excessShown_ =
             grains.subOrEmptyDict("interphaseForces")
            .subOrEmptyDict("excessPressure")
-           .lookupOrDefault<scalar>("strength", 1);
+           .getOrDefault<scalar>("strength", 1);
     }
 
     return excessShown_;
@@ -321,26 +321,20 @@ Foam::functionObjects::porePressureProbes::grainStress() const
     const grainSnapshot& all = grains();
     scalarList stress(probes_.size(), Zero);
 
-    if (all.wallForce.found(patchName_))
+    const auto addToProbes = [&](const label i, const vector& force)
     {
-        const vectorField& force = all.wallForce[patchName_];
-
-        forAll(force, i)
+        forAll(discs_, probei)
         {
-            if (magSqr(force[i]) > 0)
-            {
-                forAll(discs_, probei)
-                {
-                    const patchDisc& disc = discs_[probei];
+            const patchDisc& disc = discs_[probei];
 
-                    if (disc.contains(all.position[i]))
-                    {
-                        stress[probei] -= (force[i] & disc.normal());
-                    }
-                }
+            if (disc.contains(all.position[i]))
+            {
+                stress[probei] -= (force & disc.normal());
             }
         }
-    }
+    };
+
+    forEachWallForce(all, patchName_, addToProbes);
 
     reduce(stress, sumOp<scalarList>());
 

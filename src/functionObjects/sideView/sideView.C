@@ -61,7 +61,7 @@ bool Foam::functionObjects::sideView::read(const dictionary& dict)
 {
     flumeFunctionObject::read(dict);
     checkKeys(dict, {"nearest"});
-    nearest_ = dict.lookupOrDefault<scalar>("nearest", GREAT);
+    nearest_ = dict.getOrDefault<scalar>("nearest", GREAT);
     return true;
 }
 

@@ -107,9 +107,9 @@ bool Foam::functionObjects::surgeFront::read(const dictionary& dict)
         }
     );
 
-    types_ = labelHashSet(dict.lookupOrDefault("types", labelList()));
-    front_ = frontNames.lookupOrDefault("front", dict, frontType::grains);
-    thickness_ = thicknessNames.lookupOrDefault
+    types_ = labelHashSet(dict.getOrDefault("types", labelList()));
+    front_ = frontNames.getOrDefault("front", dict, frontType::grains);
+    thickness_ = thicknessNames.getOrDefault
     (
         "thickness",
         dict,
@@ -117,12 +117,12 @@ bool Foam::functionObjects::surgeFront::read(const dictionary& dict)
       ? thicknessType::water
       : thicknessType::extent
     );
-    stripWidth_ = dict.lookupOrDefault<scalar>("stripWidth", 0.05);
-    width_ = dict.lookupOrDefault<scalar>("width", box().span().y());
-    grainThreshold_ = dict.lookupOrDefault<scalar>("grainThreshold", 0);
-    waterThreshold_ = dict.lookupOrDefault<scalar>("waterThreshold", 0.005);
-    headLength_ = dict.lookupOrDefault<scalar>("headLength", 0.3);
-    window_ = dict.lookupOrDefault<scalar>("window", 0.2);
+    stripWidth_ = dict.getOrDefault<scalar>("stripWidth", 0.05);
+    width_ = dict.getOrDefault<scalar>("width", box().span().y());
+    grainThreshold_ = dict.getOrDefault<scalar>("grainThreshold", 0);
+    waterThreshold_ = dict.getOrDefault<scalar>("waterThreshold", 0.005);
+    headLength_ = dict.getOrDefault<scalar>("headLength", 0.3);
+    window_ = dict.getOrDefault<scalar>("window", 0.2);
     reach_ = flumeSettings::range(dict, "reach", {-GREAT, GREAT}, box());
 
     if (min(min(stripWidth_, width_), min(headLength_, window_)) <= 0)
@@ -151,7 +151,7 @@ Foam::strips Foam::functionObjects::surgeFront::solidThickness
         (
             frame_.x(all.position[i]),
             all.d[i]/2,
-            constant::mathematical::pi*pow3(all.d[i])/6
+            all.volume(i)
         );
     }
 
@@ -198,9 +198,10 @@ Foam::scalar Foam::functionObjects::surgeFront::meanDiameter
 
     for (const label i : chosen)
     {
-        const scalar d = grains().d[i];
-        d3 += pow3(d);
-        d4 += pow4(d);
+        const scalar d = grains().bodyDiameter(i);
+        const scalar part = grains().partOfBody(i);
+        d3 += part*pow3(d);
+        d4 += part*pow4(d);
     }
 
     reduce(d3, sumOp<scalar>());

@@ -133,10 +133,10 @@ bool Foam::functionObjects::wallLoad::read(const dictionary& dict)
     );
 
     patches_ = flumeSettings::patches(dict, mesh_);
-    centre_ = dict.lookupOrDefault<point>("CofR", Zero);
-    samplingRate_ = dict.lookupOrDefault<scalar>("samplingRate", 0);
-    pName_ = dict.lookupOrDefault<word>("p", "p");
-    UName_ = dict.lookupOrDefault<word>("U", "U");
+    centre_ = dict.getOrDefault<point>("CofR", Zero);
+    samplingRate_ = dict.getOrDefault<scalar>("samplingRate", 0);
+    pName_ = dict.getOrDefault<word>("p", "p");
+    UName_ = dict.getOrDefault<word>("U", "U");
 
     readDirections(dict);
 
@@ -203,28 +203,18 @@ Foam::functionObjects::wallLoad::ofGrains() const
     const grainSnapshot& all = grains();
     load result;
 
+    const auto addReaction = [&](const label i, const vector& onGrain)
+    {
+        // A flat wall is touched a radius from the centre, on the side from which it
+        // pushes
+        const scalar away = sign(onGrain & normal_)*all.d[i]/2;
+        const point touched(all.position[i] - away*normal_);
+        result.add(touched - centre_, -onGrain);
+    };
+
     for (const label patchi : patches_)
     {
-        const word& patch = mesh_.boundary()[patchi].name();
-
-        if (!all.wallForce.found(patch))
-        {
-            continue;
-        }
-
-        const vectorField& onGrain = all.wallForce[patch];
-
-        forAll(onGrain, i)
-        {
-            if (magSqr(onGrain[i]) > 0)
-            {
-                // A flat wall is touched a radius from the centre, on the side
-                // from which it pushes
-                const scalar away = sign(onGrain[i] & normal_)*all.d[i]/2;
-                const point touched(all.position[i] - away*normal_);
-                result.add(touched - centre_, -onGrain[i]);
-            }
-        }
+        forEachWallForce(all, mesh_.boundary()[patchi].name(), addReaction);
     }
 
     result.reduceAll();

@@ -51,9 +51,11 @@ Foam::discUnion::discUnion
 {
     forAll(radii_, i)
     {
-        const scalar squared = sqr(radii[i]) - sqr(z - centres[i].z());
-        radii_[i] = squared > 0 ? std::sqrt(squared) : 0;
+        radii_[i] = max(sqr(radii[i]) - sqr(z - centres[i].z()), scalar(0));
     }
+    // In a loop of its own: above, GCC 12 takes the roots of negative numbers as well,
+    // and leaves them out after OpenFOAM's trap has stopped the program
+    Foam::sqrt(radii_, radii_);
 
     forAll(radii_, i)
     {

@@ -12,6 +12,7 @@
 #include "OSspecific.H"
 #include "functionObject.H"
 #include "granularPhase.H"
+#include "mathematicalConstants.H"
 #include "passiveParticleCloud.H"
 
 const Foam::word Foam::grainSnapshot::cloudName("grains");
@@ -25,6 +26,8 @@ const string wallPrefix("wallForce.");
 
 //- Written where there are clumps
 const word clumpField("clump");
+const word shareField("share");
+const word clumpDiameterField("clumpDiameter");
 
 
 fileName cloudFolder()
@@ -53,7 +56,7 @@ IOobject fieldIO
 }
 
 
-//- Write as controlDict says; true where nothing is missing on the disk.
+//- Write as controlDict sets; true where nothing is missing on the disk.
 //  OpenFOAM's own write does not see a disk that fills with the last buffer,
 //  so the stream is kept here, but for collated files, which have no file of
 //  their own
@@ -167,18 +170,36 @@ wordList allNames(wordList names)
 }
 
 
-//- True where the written grains have clumps, on any rank
-bool clumpsOnDisk(const fvMesh& mesh)
+//- True where the written grains have a field, on any rank
+bool isOnDisk(const fvMesh& mesh, const word& field)
 {
     const fileName path
     (
         fileHandler().filePath
         (
-            mesh.time().timePath()/mesh.dbDir()/cloudFolder()/clumpField
+            mesh.time().timePath()/mesh.dbDir()/cloudFolder()/field
         )
     );
 
     return returnReduce(!path.empty(), orOp<bool>());
+}
+
+
+//- Fatal where clumps were written without their shares
+void checkShares(const fvMesh& mesh)
+{
+    for (const word& field : {shareField, clumpDiameterField})
+    {
+        if (!isOnDisk(mesh, field))
+        {
+            FatalErrorInFunction
+                << "The grains of time " << mesh.time().timeName()
+                << " are clumps, but lack the field " << field << " in "
+                << cloudFolder() << "." << nl
+                << "    A version without it wrote them: run the case again, or take this"
+                << " time out." << exit(FatalError);
+        }
+    }
 }
 
 
@@ -334,9 +355,14 @@ Foam::autoPtr<Foam::grainSnapshot> Foam::grainSnapshot::read
 
     readField(mesh, "id", grains.id);
     readField(mesh, "type", grains.type);
-    if (clumpsOnDisk(mesh))
+    if (isOnDisk(mesh, clumpField))
     {
         readField(mesh, clumpField, grains.clump);
+        checkShares(mesh);
+        grains.share.setSize(grains.size());
+        readField(mesh, shareField, grains.share);
+        grains.clumpDiameter.setSize(grains.size());
+        readField(mesh, clumpDiameterField, grains.clumpDiameter);
     }
     readField(mesh, "U", grains.U);
     readField(mesh, "omega", grains.omega);
@@ -372,11 +398,16 @@ bool Foam::grainSnapshot::write
     if (hasClumps())
     {
         ok = writeField(mesh, clumpField, labelField(clump)) && ok;
+        ok = writeField(mesh, shareField, share) && ok;
+        ok = writeField(mesh, clumpDiameterField, clumpDiameter) && ok;
     }
     else
     {
         // Of a run before in this folder
-        rm(fieldIO(mesh, clumpField, IOobject::NO_READ).objectPath());
+        for (const word& field : {clumpField, shareField, clumpDiameterField})
+        {
+            rm(fieldIO(mesh, field, IOobject::NO_READ).objectPath());
+        }
     }
     ok = writeField(mesh, "U", U) && ok;
     ok = writeField(mesh, "omega", omega) && ok;
@@ -396,6 +427,12 @@ bool Foam::grainSnapshot::write
     }
 
     return returnReduce(ok, andOp<bool>());
+}
+
+
+Foam::scalar Foam::grainSnapshot::volume(const label i) const
+{
+    return partOfBody(i)*constant::mathematical::pi*pow3(bodyDiameter(i))/6;
 }
 
 

@@ -5,6 +5,7 @@
 
 #include "addToRunTimeSelectionTable.H"
 #include "grainSnapshot.H"
+#include "hasFluid.H"
 #include "keywords.H"
 #include "periodicity.H"
 
@@ -46,7 +47,7 @@ Foam::dictionary Foam::grainsOnPoints::settings
     const dictionary& dict
 )
 {
-    if (dict.lookupOrDefault<word>("fluid", "volumeOfFluid") != "none")
+    if (hasFluid(dict))
     {
         FatalIOErrorInFunction(dict)
             << "Grains on material points are computed without a fluid." << nl
@@ -126,7 +127,7 @@ Foam::grainsOnPoints::grainsOnPoints
         dict_,
         g,
         stepsPerExchange,
-        [this](const grainsInStep& grains) { inStep(grains); }
+        [this](const grainsInStep& grains) { coupleInDemStep(grains); }
     ),
     points_
     (
@@ -202,7 +203,7 @@ Foam::label Foam::grainsOnPoints::begins(const label k) const
 }
 
 
-void Foam::grainsOnPoints::inStep(const grainsInStep& grains)
+void Foam::grainsOnPoints::coupleInDemStep(const grainsInStep& grains)
 {
     const pointGrid& grid = points_.method().grid();
     const pointSet& points = points_.method().points();

@@ -37,7 +37,7 @@ Foam::granularPhase::granularPhase
         )
     ),
     mesh_(mesh),
-    coarseGraining_(dict.lookupOrDefault<scalar>("coarseGraining", 1)),
+    coarseGraining_(dict.getOrDefault<scalar>("coarseGraining", 1)),
     stepsPerExchange_(stepsPerExchange),
     startTime_(mesh.time().value()),
     nIntervals_(0)

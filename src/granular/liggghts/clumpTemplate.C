@@ -21,7 +21,7 @@ Foam::clumpTemplate::clumpTemplate
 :
     LAMMPS_NS::FixTemplateMultisphere(lmp, narg, arg)
 {
-    liggghtsErrors::outside([this]() { checkNoMass(); });
+    liggghtsErrors::runOutside([this]() { checkNoMass(); });
 }
 
 
@@ -92,7 +92,7 @@ void Foam::clumpTemplate::report(const double sphericity) const
 void Foam::clumpTemplate::post_create()
 {
     calc_bounding_sphere();
-    liggghtsErrors::outside([this]() { setProperties(); });
+    liggghtsErrors::runOutside([this]() { setProperties(); });
     check_overlap();
     calc_eigensystem();
     calc_displace_xcm_x_body();

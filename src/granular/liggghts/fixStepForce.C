@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A LIGGGHTS fix that asks the program for forces on grains in each DEM step.
+// A LIGGGHTS fix that calls the program for forces on grains in each DEM step.
 
 #include "fixStepForce.H"
 
@@ -44,7 +44,7 @@ void Foam::fixStepForce::post_force(int vflag)
     grains.force = vector(Zero);
     grains.torque = vector(Zero);
 
-    liggghtsErrors::outside([&]() { forces_(grains); });
+    liggghtsErrors::runOutside([&]() { forces_(grains); });
 
     fixFluidForce::post_force(vflag);
 }

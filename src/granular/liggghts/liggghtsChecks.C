@@ -122,7 +122,7 @@ namespace
 }
 
 
-void Foam::liggghtsChecks::units
+void Foam::liggghtsChecks::checkUnits
 (
     liggghtsInstance& liggghts,
     const fileName& script
@@ -140,7 +140,7 @@ void Foam::liggghtsChecks::units
 }
 
 
-void Foam::liggghtsChecks::boundary
+void Foam::liggghtsChecks::checkBoundary
 (
     liggghtsInstance& liggghts,
     const string& boundary,
@@ -188,7 +188,7 @@ void Foam::liggghtsChecks::boundary
 }
 
 
-void Foam::liggghtsChecks::domain
+void Foam::liggghtsChecks::checkDomain
 (
     liggghtsInstance& liggghts,
     const fvMesh& mesh,
@@ -237,7 +237,7 @@ void Foam::liggghtsChecks::domain
 }
 
 
-void Foam::liggghtsChecks::noConflictingFixes
+void Foam::liggghtsChecks::checkNoConflictingFixes
 (
     liggghtsInstance& liggghts,
     const fileName& script
@@ -261,7 +261,7 @@ void Foam::liggghtsChecks::noConflictingFixes
 }
 
 
-void Foam::liggghtsChecks::overlaps
+void Foam::liggghtsChecks::checkOverlaps
 (
     liggghtsInstance& liggghts,
     const fileName& script

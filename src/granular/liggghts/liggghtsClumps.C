@@ -3,6 +3,7 @@
 
 #include "liggghtsClumps.H"
 
+#include "clumpInsertion.H"
 #include "clumpSums.H"
 #include "clumpTemplate.H"
 #include "fixStyles.H"
@@ -46,6 +47,7 @@ Foam::liggghtsClumps::liggghtsClumps(const liggghtsInstance& liggghts)
 void Foam::liggghtsClumps::addStyle(LAMMPS_NS::LAMMPS* lmp)
 {
     addFixStyle<clumpTemplate>(lmp);
+    addFixStyle<clumpInsertion>(lmp);
 }
 
 
@@ -139,8 +141,8 @@ void Foam::liggghtsClumps::insert()
 
     LAMMPS_NS::Modify& modify = *liggghts_->modify;
 
-    // As a run of LIGGGHTS begins. Fixes send to other ranks in their setup, in which they
-    // forget all grains: what goes where must be known
+    // As a run of LIGGGHTS begins. Fixes send to other ranks in their setup, in which
+    // they forget all grains: what goes where must be known
     liggghts_->init();
     liggghts_->domain->pbc();
     liggghts_->domain->reset_box();

@@ -163,7 +163,7 @@ void Foam::liggghtsErrors::close()
 }
 
 
-void Foam::liggghtsErrors::outside(const std::function<void()>& f)
+void Foam::liggghtsErrors::runOutside(const std::function<void()>& f)
 {
     const std::string what(std::move(busyWith));
     busyWith.clear();

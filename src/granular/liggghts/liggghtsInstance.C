@@ -220,7 +220,7 @@ void Foam::liggghtsInstance::setup()
     update.endstep = update.laststep;
 
     lmp_->init();
-    liggghtsErrors::outside([this]() { checkBins(); });
+    liggghtsErrors::runOutside([this]() { checkBins(); });
 
     // Without a grain nothing has a size, and there are no bins to sort grains into
     // until a setup finds one
@@ -291,8 +291,8 @@ void Foam::liggghtsInstance::checkBins() const
             << " m to find neighbours in: " << gigabytes << " GB of memory on each"
             << " rank." << nl
             << "    With contacts vectorised, the default, there are no more than 4 for a"
-            << " grain, or a million. Else make the box (region of create_box) smaller, or take"
-            << " more ranks. A bin's side is half of the largest" << nl
+            << " grain, or a million. Else make the box (region of create_box) smaller,"
+            << " or take more ranks. A bin's side is half of the largest" << nl
             << "    diameter and the distance that the command 'neighbor' gives: with"
             << " few grains, 'neighbor "
             << 2*side*std::cbrt(gigabytes/mostGigabytesOfBins)

@@ -127,7 +127,7 @@ bool Foam::liggghtsOutlet::mayLeave(const point& p, const vector& U) const
             continue;
         }
 
-        // One that is out for longer was looked at when it left
+        // One that is out for longer was checked when it left
         if (beyond > 2*grains_.exchangeInterval()*mag(speed))
         {
             return true;

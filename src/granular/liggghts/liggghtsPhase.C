@@ -45,7 +45,7 @@ fileName script
     {
         path = "constant/grains." + key;
     }
-    path = dict.lookupOrDefault<fileName>(key, path);
+    path = dict.getOrDefault<fileName>(key, path);
     path.expand();
 
     if (!path.isAbsolute())
@@ -68,7 +68,7 @@ fileName script
 //- Fatal unless the share is from 0 to below 1
 scalar readLocalDamping(const dictionary& dict)
 {
-    const scalar share = dict.lookupOrDefault<scalar>("localDamping", 0);
+    const scalar share = dict.getOrDefault<scalar>("localDamping", 0);
 
     if (!(share >= 0 && share < 1))
     {
@@ -133,9 +133,9 @@ Foam::liggghtsPhase::liggghtsPhase
     setVariables();
     createGrains();
     clumps_.find(restarted_, initialScript_);
-    liggghtsChecks::units(liggghts_, initialScript_);
-    liggghtsChecks::sizes(liggghts_, initialScript_);
-    liggghtsChecks::domain(liggghts_, mesh, initialScript_);
+    liggghtsChecks::checkUnits(liggghts_, initialScript_);
+    liggghtsChecks::checkSizes(liggghts_, initialScript_);
+    liggghtsChecks::checkDomain(liggghts_, mesh, initialScript_);
     walls_.enlargeBox(liggghts_);
     liggghts_.chooseSkin();
 
@@ -146,14 +146,14 @@ Foam::liggghtsPhase::liggghtsPhase
         localDamping_, coarseGraining_, outlet_.isOpen(), bool(eachStep_),
         physicsScript_
     );
-    liggghtsChecks::timeStep(liggghts_, physicsScript_);
+    liggghtsChecks::checkTimeStep(liggghts_, physicsScript_);
 
     liggghts_.setup();
     last_.restore();
     clumps_.sumForces();
     if (!restarted_)
     {
-        liggghtsChecks::overlaps(liggghts_, initialScript_);
+        liggghtsChecks::checkOverlaps(liggghts_, initialScript_);
     }
     refresh();
     outlet_.begin();

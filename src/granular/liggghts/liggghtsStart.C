@@ -46,7 +46,7 @@ labelVector cuts(const Time& runTime)
     if (isFile(path))
     {
         const dictionary dict{IFstream(path)()};
-        const word method(dict.lookupOrDefault<word>("method", "none"));
+        const word method(dict.getOrDefault<word>("method", "none"));
         const dictionary& coeffs = dict.optionalSubDict
         (
             dict.found(method + "Coeffs") ? method + "Coeffs" : word("coeffs")
@@ -138,7 +138,7 @@ void Foam::liggghtsPhase::createGrains()
         liggghts_.script(initialScript_, mesh_.time().globalPath());
     }
 
-    liggghtsChecks::boundary(liggghts_, boundary, initialScript_);
+    liggghtsChecks::checkBoundary(liggghts_, boundary, initialScript_);
 }
 
 
@@ -181,7 +181,7 @@ void Foam::liggghtsPhase::setVariables()
 
 void Foam::liggghtsPhase::addCouplingFixes()
 {
-    liggghtsChecks::noConflictingFixes(liggghts_, physicsScript_);
+    liggghtsChecks::checkNoConflictingFixes(liggghts_, physicsScript_);
 
     if (mag(g_) > SMALL)
     {
@@ -194,7 +194,7 @@ void Foam::liggghtsPhase::addCouplingFixes()
 
     walls_.add(liggghts_);
 
-    // Evaluated only where a snapshot asks for it
+    // Evaluated only where a snapshot needs it
     liggghts_.command
     (
         "compute interDEMFoamContacts all pair/gran/local pos id force"

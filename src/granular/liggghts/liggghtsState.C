@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Grains computed by LIGGGHTS: what is looked at, written and read again.
+// Grains computed by LIGGGHTS: snapshots, writing and reading.
 
 #include "liggghtsPhase.H"
 
@@ -235,6 +235,8 @@ Foam::autoPtr<Foam::grainSnapshot> Foam::liggghtsPhase::snapshot() const
     if (clump_.size())
     {
         grains.clump = clump_;
+        grains.share = share_;
+        grains.clumpDiameter = 2*scalarField(clumpRadius_);
     }
 
     forAll(radius_, i)
@@ -271,7 +273,7 @@ void Foam::liggghtsPhase::readState(const fileName& state)
     Info<< "    from " << state << endl;
 
     // Not part of a written state, and to be given before it is read. The physics
-    // script may ask for a grain by its number
+    // script may name a grain by its number
     for
     (
         const std::string& line

@@ -139,7 +139,7 @@ Foam::scalar Foam::liggghtsChecks::rayleighTime
 }
 
 
-void Foam::liggghtsChecks::sizes
+void Foam::liggghtsChecks::checkSizes
 (
     liggghtsInstance& liggghts,
     const fileName& script
@@ -168,7 +168,7 @@ void Foam::liggghtsChecks::sizes
 }
 
 
-void Foam::liggghtsChecks::timeStep
+void Foam::liggghtsChecks::checkTimeStep
 (
     liggghtsInstance& liggghts,
     const fileName& script

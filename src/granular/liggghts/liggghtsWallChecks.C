@@ -38,8 +38,8 @@ namespace
          || surface.triMesh()->isInsertionMesh();
     }
 
-    //- True where a point is on a wall of a script. A surface is looked at by
-    //  its bounds, and only if they are flat
+    //- True where a point is on a wall of a script. Of a surface only the
+    //  bounds count, and only if they are flat
     bool isAt
     (
         const liggghtsScript::wall& wall,
@@ -106,7 +106,7 @@ namespace
 }
 
 
-void Foam::liggghtsChecks::noDuplicateWall
+void Foam::liggghtsChecks::checkNoDuplicateWall
 (
     liggghtsInstance& liggghts,
     const polyPatch& patch,
@@ -148,7 +148,7 @@ void Foam::liggghtsChecks::noDuplicateWall
 }
 
 
-void Foam::liggghtsChecks::noOtherSurfaces(const fileName& script)
+void Foam::liggghtsChecks::checkNoOtherSurfaces(const fileName& script)
 {
     for (const liggghtsScript::wall& wall : liggghtsScript::walls(script))
     {
@@ -167,7 +167,7 @@ void Foam::liggghtsChecks::noOtherSurfaces(const fileName& script)
 }
 
 
-void Foam::liggghtsChecks::surfacesAreThere
+void Foam::liggghtsChecks::checkSurfaces
 (
     liggghtsInstance& liggghts,
     const wordList& names,
@@ -200,7 +200,7 @@ void Foam::liggghtsChecks::surfacesAreThere
 }
 
 
-void Foam::liggghtsChecks::noUnusedSurfaces
+void Foam::liggghtsChecks::checkNoUnusedSurfaces
 (
     liggghtsInstance& liggghts,
     const fileName& script

@@ -34,7 +34,7 @@ Foam::liggghtsWalls::liggghtsWalls
             wordRes({wordRe(".*", wordRe::REGEX)})
         )
     ),
-    type_(dict.lookupOrDefault<label>("type", 1)),
+    type_(dict.getOrDefault<label>("type", 1)),
     types_(keywords::sub(dict, "types")),
     contactModel_
     (
@@ -42,7 +42,7 @@ Foam::liggghtsWalls::liggghtsWalls
       ? dict.get<string>("contactModel")
       : liggghtsScript::contactModel(script)
     ),
-    scriptSurfaces_(dict.lookupOrDefault<wordList>("surfaces", wordList())),
+    scriptSurfaces_(dict.getOrDefault<wordList>("surfaces", wordList())),
     nWalls_(0)
 {
     keywords::check
@@ -185,7 +185,7 @@ void Foam::liggghtsWalls::addSurface
 
 void Foam::liggghtsWalls::addWallOfSurfaces(liggghtsInstance& liggghts) const
 {
-    liggghtsChecks::noOtherSurfaces(script_);
+    liggghtsChecks::checkNoOtherSurfaces(script_);
 
     string meshes;
     for (const word& patch : surfaces_.sortedToc())
@@ -283,7 +283,7 @@ void Foam::liggghtsWalls::enlargeBox(liggghtsInstance& liggghts) const
 
 void Foam::liggghtsWalls::add(liggghtsInstance& liggghts)
 {
-    liggghtsChecks::surfacesAreThere(liggghts, scriptSurfaces_, script_);
+    liggghtsChecks::checkSurfaces(liggghts, scriptSurfaces_, script_);
 
     std::set<wallTriangles::corners, wallTriangles::before> faces;
 
@@ -294,7 +294,7 @@ void Foam::liggghtsWalls::add(liggghtsInstance& liggghts)
             continue;
         }
 
-        liggghtsChecks::noDuplicateWall(liggghts, patch, scriptSurfaces_, script_);
+        liggghtsChecks::checkNoDuplicateWall(liggghts, patch, scriptSurfaces_, script_);
 
         const labelList on(sides(patch));
 
@@ -313,5 +313,5 @@ void Foam::liggghtsWalls::add(liggghtsInstance& liggghts)
         addWallOfSurfaces(liggghts);
     }
 
-    liggghtsChecks::noUnusedSurfaces(liggghts, script_);
+    liggghtsChecks::checkNoUnusedSurfaces(liggghts, script_);
 }

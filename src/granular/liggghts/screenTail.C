@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keeps the last lines that LIGGGHTS says to its screen.
+// Keeps the last lines that LIGGGHTS prints to its screen.
 
 #include "screenTail.H"
 

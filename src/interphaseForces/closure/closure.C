@@ -47,6 +47,6 @@ void Foam::closure::checkKeywords
         dict,
         settings,
         "\nBeside them, where the law is chosen: model strength"
-        " (for drag also: base baseSettings)"
+        " (for drag also: base baseSettings shape correction)"
     );
 }

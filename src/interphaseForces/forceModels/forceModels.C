@@ -7,27 +7,41 @@ namespace
 {
     using namespace Foam;
 
-    //- The settings of a family, with its default law where none is named. One
-    //  that is off by default must be named where it has settings
-    dictionary family
-    (
-        const dictionary& dict,
-        const word& name,
-        const word& defaultModel
-    )
+    //- A family of laws, and that of them which acts where a case names none
+    struct lawFamily
     {
-        dictionary settings(keywords::sub(dict, name));
+        word name;
 
-        const bool mustTell =
-            dict.found(name) && defaultModel == "none"
-         && settings.getOrDefault<scalar>("strength", 1) > 0;
+        word defaultModel;
 
-        if (!settings.found("model") && !mustTell)
+        //- The settings of a case, with the default where no law is named. A law
+        //  that is off by default must be named where it has settings
+        dictionary settings(const dictionary& dict) const
         {
-            settings.add("model", defaultModel);
-        }
+            dictionary result(keywords::sub(dict, name));
 
-        return settings;
+            const bool mustNameModel =
+                dict.found(name) && defaultModel == "none"
+             && result.getOrDefault<scalar>("strength", 1) > 0;
+
+            if (!result.found("model") && !mustNameModel)
+            {
+                result.add("model", defaultModel);
+            }
+
+            return result;
+        }
+    };
+
+    namespace families
+    {
+        const lawFamily drag{"drag", dragModel::defaultModel};
+        const lawFamily lift{"lift", "none"};
+        const lawFamily virtualMass{"virtualMass", "none"};
+        const lawFamily rotationalDrag{"rotationalDrag", "Dennis"};
+
+        //- In the order in which they are printed
+        const List<lawFamily> all({drag, lift, virtualMass, rotationalDrag});
     }
 
     //- The settings of a closure, of strength 0 if the keyword is absent
@@ -61,12 +75,13 @@ namespace
 
 Foam::forceModels::forceModels(const fvMesh& mesh, const dictionary& dict)
 :
-    drag(dragModel::New(family(dict, "drag", "DiFelice"))),
-    lift(family(dict, "lift", "none")),
-    virtualMass(family(dict, "virtualMass", "none")),
-    rotationalDrag(family(dict, "rotationalDrag", "Dennis")),
+    drag(dragModel::New(families::drag.settings(dict))),
+    lift(families::lift.settings(dict)),
+    virtualMass(families::virtualMass.settings(dict)),
+    rotationalDrag(families::rotationalDrag.settings(dict)),
     lubrication(mesh, offIfAbsent(dict, "lubrication")),
     history(offIfAbsent(dict, "history")),
+    shear(mesh, offIfAbsent(dict, "grainShear")),
     pressureGradient(strength(dict, "pressureGradient")),
     excessPressure(strength(dict, "excessPressure")),
     viscousForce
@@ -74,12 +89,13 @@ Foam::forceModels::forceModels(const fvMesh& mesh, const dictionary& dict)
         dict.found("viscousForce") ? strength(dict, "viscousForce") : 0
     )
 {
-    activePhysics.add("drag", family(dict, "drag", "DiFelice"));
-    activePhysics.add("lift", family(dict, "lift", "none"));
-    activePhysics.add("virtualMass", family(dict, "virtualMass", "none"));
-    activePhysics.add("rotationalDrag", family(dict, "rotationalDrag", "Dennis"));
+    for (const lawFamily& family : families::all)
+    {
+        activePhysics.add(family.name, family.settings(dict));
+    }
     activePhysics.add("lubrication", lubrication.activePhysics());
     activePhysics.add("history", history.activePhysics());
+    activePhysics.add("grainShear", shear.activePhysics());
     activePhysics.add("pressureGradient", settingsOf(pressureGradient));
     activePhysics.add("excessPressure", settingsOf(excessPressure));
     activePhysics.add("viscousForce", settingsOf(viscousForce));
@@ -94,6 +110,7 @@ Foam::wordList Foam::forceModels::names()
     {
         "drag",
         "excessPressure",
+        "grainShear",
         "history",
         "lift",
         "lubrication",
@@ -144,7 +161,5 @@ void Foam::forceModels::liftForces
 
 bool Foam::forceModels::carriesFluid() const
 {
-    return
-        activePhysics.subDict("virtualMass").get<word>("model") != "none"
-     || history.isOn();
+    return virtualMass.isOn() || history.isOn();
 }

@@ -3,6 +3,9 @@
 
 #include "grainForces.H"
 
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cstdint>
+
 namespace
 {
     using namespace Foam;
@@ -97,11 +100,12 @@ inline Foam::grainState Foam::grainForces::stateOf
     const locatedGrain& grain = exchange_.grains()[i];
     const scalar perRho = 1/fluid.rhoOfMomentum;
     const vector vorticity((1/fluid.rhoAround)*fluid.vorticity);
+    const vector slip(perRho*fluid.momentum - meanVelocity_[i]);
 
     return grainState
     {
         2*grain.clumpRadius/coarseGraining_,
-        perRho*fluid.momentum - meanVelocity_[i],
+        slip,
         0.5*vorticity - grain.angularVelocity,
         vorticity,
         fluid.rho,
@@ -112,6 +116,67 @@ inline Foam::grainState Foam::grainForces::stateOf
         fluid.voidFraction,
         dSauter/coarseGraining_
     };
+}
+
+
+inline void Foam::grainForces::shearLiquid
+(
+    const label i,
+    grainState& state,
+    const fluidAtGrain& fluid,
+    const flowAtGrain& flow,
+    const scalar interval
+) const
+{
+    const locatedGrain& grain = exchange_.grains()[i];
+    const scalar muOfFlow = state.mu;
+    if (!grain.mobile)
+    {
+        state.mu = laws_.shear.mu(muOfFlow, state.rho, state.d, mag(state.slip));
+        return;
+    }
+
+    const scalar volume = mapping_.volumes()[i];
+    const scalar N3 = pow3(coarseGraining_)*grain.share;
+    const scalar m =
+        grain.mass + laws_.virtualMassCoefficient(state)*state.rho*volume;
+    const vector load
+    (
+        unsupportedLoad(grain, fluid.rhoAround, flow.viscousForce, volume, Zero)
+    );
+    const scalar momentum = mag(m*state.slip - interval*load);
+
+    // Momentum of the slip at the interval's end, and what drag takes, over what there is
+    const auto excess = [&](const scalar slip)
+    {
+        state.mu = laws_.shear.mu(muOfFlow, state.rho, state.d, slip);
+        return (m + N3*laws_.drag->K(state)*interval)*slip - momentum;
+    };
+
+    const scalar atRest = laws_.shear.slipAtRest(state.d);
+    const scalar unbraked = momentum/m;
+    const scalar low = unbraked > atRest ? excess(atRest) : 0;
+    if (low >= 0)
+    {
+        excess(atRest);
+        return;
+    }
+    const scalar high = excess(unbraked);
+    if (high > 0)
+    {
+        std::uintmax_t nSteps = 50;
+        const auto end = boost::math::tools::toms748_solve
+        (
+            excess,
+            atRest,
+            unbraked,
+            low,
+            high,
+            boost::math::tools::eps_tolerance<scalar>(30),
+            nSteps
+        );
+        excess(end.first);
+    }
 }
 
 
@@ -224,6 +289,23 @@ void Foam::grainForces::begin()
 }
 
 
+Foam::grainForces::surroundings Foam::grainForces::gather
+(
+    const fluidFields& fluid
+) const
+{
+    return
+    {
+        laws_.usesSauterDiameter() ? mapping_.sauterDiameter() : scalarField(),
+        fluidAround(mapping_, fluid),
+        flowAround
+        (
+            mapping_, laws_, fluid.rho, fluid.convection, fluid.viscousForce
+        )
+    };
+}
+
+
 Foam::List<Foam::List<Foam::givenByGrain>> Foam::grainForces::prepare
 (
     const fluidFields& fluid,
@@ -260,15 +342,11 @@ Foam::List<Foam::List<Foam::givenByGrain>> Foam::grainForces::coefficients
 {
     begin();
 
-    const scalarField dSauter
-    (
-        laws_.usesSauterDiameter() ? mapping_.sauterDiameter() : scalarField()
-    );
-    const List<List<fluidAtGrain>> around(fluidAround(mapping_, fluid));
-    const List<List<flowAtGrain>> flow = flowAround
-    (
-        mapping_, laws_, fluid.rho, fluid.convection, fluid.viscousForce
-    );
+    const surroundings around(gather(fluid));
+    const auto flowOf = [&](const label i)
+    {
+        return around.flow.size() ? mapping_.mean(around.flow, i) : flowAtGrain();
+    };
     const label n = exchange_.grains().size();
     List<List<givenByGrain>> sums
     (
@@ -290,9 +368,14 @@ Foam::List<Foam::List<Foam::givenByGrain>> Foam::grainForces::coefficients
         {
             const label i = first + k;
 
-            fluids[k] = mapping_.mean(around, i);
+            fluids[k] = mapping_.mean(around.fluid, i);
             states[k] =
-                stateOf(i, fluids[k], dSauter.size() ? dSauter[i] : 1);
+                stateOf(i, fluids[k], around.dSauter.size() ? around.dSauter[i] : 1);
+
+            if (laws_.shear.isOn() && laws_.drag.valid())
+            {
+                shearLiquid(i, states[k], fluids[k], flowOf(i), interval);
+            }
         }
 
         laws_.dragCoefficients(states, K);
@@ -302,16 +385,7 @@ Foam::List<Foam::List<Foam::givenByGrain>> Foam::grainForces::coefficients
         {
             const label i = first + k;
 
-            setForce
-            (
-                i,
-                states[k],
-                fluids[k],
-                flow.size() ? mapping_.mean(flow, i) : flowAtGrain(),
-                K[k],
-                lift[k],
-                interval
-            );
+            setForce(i, states[k], fluids[k], flowOf(i), K[k], lift[k], interval);
             addGiven(sums, i, fluids[k], states[k].slip + meanVelocity_[i]);
         }
     }

@@ -54,7 +54,7 @@ Foam::List<Foam::List<Foam::vector>> Foam::grainForces::loadElsewhere
 {
     const excessVolume& excess = solids_.excess();
 
-    if (!excess.moved())
+    if (!excess.hasMoved())
     {
         return List<List<vector>>();
     }

@@ -14,7 +14,6 @@ Foam::interphaseForces::interphaseForces
 :
     mesh_(exchange.mesh()),
     solids_(solids),
-    hydrostatic_(hydrostatic),
     grains_(exchange, solids, dict, hydrostatic, coarseGraining),
     division_(mesh_),
     dragCoefficient_(mesh_.nCells(), Zero),
@@ -86,7 +85,7 @@ Foam::vector Foam::interphaseForces::takenFromFluid
             dragCoefficient_[cell]*means.U[cell]
           + virtualMassCoefficient_[cell]*means.acceleration[cell]
           + explicitForce_[cell]
-          - solid[cell]*hydrostatic_.gradient(means.rho[cell])
+          - solid[cell]*hydrostatic().gradient(means.rho[cell])
         );
 
         if (viscous > 0)

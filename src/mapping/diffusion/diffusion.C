@@ -79,8 +79,8 @@ Foam::smoothingModels::diffusion::diffusion
 )
 :
     mesh_(mesh),
-    width_(dict.lookupOrDefault<scalar>("width", 3)),
-    givenDiameter_(dict.lookupOrDefault<scalar>("diameter", 0)),
+    width_(dict.getOrDefault<scalar>("width", 3)),
+    givenDiameter_(dict.getOrDefault<scalar>("diameter", 0)),
     warnedOfJump_(false),
     conductance_(mesh.nFaces(), Zero),
     longestStep_(GREAT)
@@ -274,7 +274,7 @@ void Foam::smoothingModels::diffusion::swap
 
 
 template<class T>
-void Foam::smoothingModels::diffusion::gainOf
+void Foam::smoothingModels::diffusion::computeGain
 (
     const Field<T>& cells,
     Field<T>& gain
@@ -328,7 +328,7 @@ void Foam::smoothingModels::diffusion::sumSeries
     Field<T> present(cells.size());
     Field<T> gain(cells.size());
 
-    gainOf(earlier, gain);
+    computeGain(earlier, gain);
     forAll(cells, cell)
     {
         present[cell] = -perR/volume[cell]*gain[cell] - earlier[cell];
@@ -338,7 +338,7 @@ void Foam::smoothingModels::diffusion::sumSeries
 
     for (label k = 2; k < series.size(); ++k)
     {
-        gainOf(present, gain);
+        computeGain(present, gain);
         forAll(cells, cell)
         {
             const T next
@@ -371,7 +371,7 @@ void Foam::smoothingModels::diffusion::diffuse
 
     for (label n = 0; n < how.nSteps; ++n)
     {
-        gainOf(cells, gain);
+        computeGain(cells, gain);
 
         forAll(cells, cell)
         {

@@ -23,7 +23,7 @@ Foam::autoPtr<Foam::smoothingModel> Foam::smoothingModel::New
     (
         keywords::choice
         (
-            dict, "model", "smoothing", table.sortedToc(), "diffusion"
+            dict, "model", "smoothing", table.sortedToc(), defaultModel
         )
     );
 

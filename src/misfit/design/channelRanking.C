@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which one more channel would help most to tell mechanisms apart.
+// Which one more channel would help most to distinguish mechanisms.
 
 #include "channelRanking.H"
 
@@ -25,8 +25,8 @@ scalar standardErrorOf(const std::vector<scalar>& values)
 }
 
 
-//- Marks the options that are behind the first by no more than twice the standard error of
-//  the difference: the draws are the same with each channel
+//- Marks the options that are behind the first by no more than twice the standard error
+//  of the difference: the draws are the same with each channel
 void markTied(List<designOption>& options)
 {
     for (designOption& o : options)

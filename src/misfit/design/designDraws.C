@@ -4,17 +4,17 @@
 #include "designDraws.H"
 #include "diagnosis.H"
 #include "parallelWork.H"
-#include "words.H"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <nlohmann/json.hpp>
 
 namespace
 {
 
 using namespace Foam;
 using namespace Foam::misfit;
+using nlohmann::json;
 
 //- No words on the terminal while it exists
 class silence
@@ -54,13 +54,70 @@ labelList runningCandidates(sampler& simulation, const settings& set)
                 states.append(one);
             }
         }
-        const List<samples> given(simulation(states));
-        if (std::any_of(given.begin(), given.end(), [](const samples& g) { return g.ok(); }))
+        const List<samples> results(simulation(states));
+        const auto isOk = [](const samples& one) { return one.ok(); };
+        if (std::any_of(results.begin(), results.end(), isOk))
         {
             some.append(m);
         }
     }
     return some;
+}
+
+
+//- The member of a set: its mechanisms, or the channel that it blames
+wordList namesOf(const hypothesis& h, const wordList& mechanisms)
+{
+    if (h.fault)
+    {
+        return wordList({h.fault->channel});
+    }
+    wordList names;
+    for (const int m : h.mechanisms)
+    {
+        names.append(mechanisms[m]);
+    }
+    return names;
+}
+
+
+//- An answer in one line, for the process that counts
+std::string asText(const designAnswer& answer)
+{
+    json members = json::array();
+    for (const wordList& member : answer.members)
+    {
+        members.push_back(std::vector<std::string>(member.begin(), member.end()));
+    }
+    return json
+    (
+        {
+            {"detected", answer.detected},
+            {"verdict", int(answer.verdict)},
+            {"confidence", answer.confidence},
+            {"members", members}
+        }
+    ).dump();
+}
+
+
+designAnswer asAnswer(const std::string& text)
+{
+    const json record(json::parse(text));
+    designAnswer answer;
+    answer.detected = record["detected"].get<bool>();
+    answer.verdict = verdictKind(record["verdict"].get<int>());
+    answer.confidence = record["confidence"].get<double>();
+    for (const json& member : record["members"])
+    {
+        wordList names;
+        for (const json& name : member)
+        {
+            names.append(word(name.get<std::string>(), false));
+        }
+        answer.members.append(names);
+    }
+    return answer;
 }
 
 } // End anonymous namespace
@@ -85,7 +142,7 @@ Foam::wordList Foam::misfit::possibleChannels
 }
 
 
-std::string Foam::misfit::designDraws::answer
+Foam::misfit::designAnswer Foam::misfit::designDraws::answer
 (
     const simulatedRecordings& recordings,
     const simulatedCause& c,
@@ -98,55 +155,52 @@ std::string Foam::misfit::designDraws::answer
         c.mechanism < 0 ? 0 : c.strength*set_.candidates[c.mechanism].strong;
     channelSelection some
     (
-        simulation_, recordings.all(), recordings(c.mechanism, strength, draw), channels, true
+        simulation_, recordings.all(), recordings(c.mechanism, strength, draw),
+        channels, true
     );
     const finding f(diagnose(some, set_));
-    std::ostringstream os;
-    os << f.tests.gates.passed(gateKind::detection) << ' ' << verdictNames[f.verdict.kind]
-        << ' ' << f.verdict.confidence;
-    if (f.verdict.kind == verdictKind::set)
+
+    designAnswer result;
+    result.detected = f.tests.gates.passed(gateKind::detection);
+    result.verdict = f.verdict.kind;
+    result.confidence = f.verdict.confidence;
+    if (result.verdict == verdictKind::set)
     {
-        // Each member by its mechanisms or its channel
         for (const hypothesisFit& w : f.verdict.alternatives)
         {
-            os << ' '
-                << (w.what.fault ? w.what.fault->channel : describe(w.what.known(), f.library));
-            os << ';';
+            result.members.append(namesOf(w.what, f.library));
         }
     }
-    else
+    else if (f.verdict.names.size())
     {
-        os << ' ' << joined(f.verdict.names, " and ") << ';';
+        result.members.append(f.verdict.names);
     }
-    return os.str();
+    return result;
 }
 
 
-void Foam::misfit::designDraws::count(designRow& row, const std::string& answer) const
+void Foam::misfit::designDraws::count(designRow& row, const designAnswer& answer) const
 {
-    std::istringstream is(answer);
-    bool detected = false;
-    std::string name;
-    scalar confidence = 0;
-    is >> detected >> name >> confidence;
-    const verdictKind verdict = verdictNames[word(name)];
     bool has = false;
-    for (std::string member; std::getline(is, member, ';');)
+    for (const wordList& member : answer.members)
     {
-        const word name(member.substr(std::min<size_t>(1, member.size())), false);
-        has = has || (name.size() && name == row.mechanism);
-        if (name.size() && name != row.mechanism)
+        if (row.mechanism.size() && member == wordList({row.mechanism}))
         {
-            ++row.others[name];
+            has = true;
+        }
+        else
+        {
+            ++row.others[std::vector<word>(member.begin(), member.end())];
         }
     }
+    const verdictKind verdict = answer.verdict;
     const bool right = has && row.mechanism.size();
     const bool isNone = verdict == verdictKind::none;
     const bool isUnknown = verdict == verdictKind::unknown;
     const bool isNamed = verdict == verdictKind::named && right;
     const bool blames = !isNone && !isUnknown;
     ++row.draws;
-    row.detected += detected;
+    row.detected += answer.detected;
     row.named += isNamed;
     row.inSet += verdict == verdictKind::set && right;
     row.wrong += blames && !right;
@@ -154,8 +208,8 @@ void Foam::misfit::designDraws::count(designRow& row, const std::string& answer)
     row.unknown += isUnknown;
     row.namedIn.push_back(isNamed);
     const bool isTrue = row.mechanism.empty() ? isNone : blames && right;
-    row.confidences += confidence;
-    row.squares += sqr(confidence - isTrue);
+    row.confidences += answer.confidence;
+    row.squares += sqr(answer.confidence - isTrue);
 }
 
 
@@ -164,8 +218,9 @@ void Foam::misfit::designDraws::printProgress(const designRow& row)
     ++nDone_;
     const scalar left = timer_.elapsedTime()/nDone_*max(nRows_ - nDone_, label(0));
     Info<< "    " << nDone_ << " of " << nRows_ << ": "
-        << (row.mechanism.empty() ? word("nothing") : row.mechanism) << ' ' << row.strength
-        << ", repeats " << row.repeats << ": named " << row.named << " of " << row.draws
+        << (row.mechanism.empty() ? word("nothing") : row.mechanism) << ' '
+        << row.strength << ", repeats " << row.repeats << ": named "
+        << row.named << " of " << row.draws
         << "; about " << std::ceil(left/60) << " min left" << endl;
 }
 
@@ -187,7 +242,10 @@ Foam::misfit::designDraws::designDraws
     (
         design.repeats.size()*(1 + running_.size()*design.strengths.size())
       + running_.size()
-       *possibleChannels(allChannels(simulation.data().first(), 1), design.channels).size()
+       *possibleChannels
+        (
+            allChannels(simulation.data().first(), 1), design.channels
+        ).size()
     )
 {}
 
@@ -220,11 +278,11 @@ Foam::misfit::designRow Foam::misfit::designDraws::row
     row.repeats = repeats;
     const auto work = [&](const label draw)
     {
-        return answer(recordings, c, channels, draw);
+        return asText(answer(recordings, c, channels, draw));
     };
     for (const std::string& one : inProcesses(design_.draws, jobs_, work))
     {
-        count(row, one);
+        count(row, asAnswer(one));
     }
     printProgress(row);
     return row;

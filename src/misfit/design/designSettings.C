@@ -12,8 +12,8 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
-//- Names of the channels of the fitted experiment that are for calibration; recorded: only
-//  those with a file
+//- Names of the channels of the fitted experiment that are for calibration; recorded:
+//  only those with a file
 wordList calibrating(const recordings& all, const bool recorded)
 {
     wordList names;
@@ -39,8 +39,9 @@ void check(const dictionary& dict, const designSettings& d, const recordings& re
         if (!valid.found(name))
         {
             FatalIOErrorInFunction(dict)
-                << "design names the channel " << name << ", which is no channel over time"
-                << " of the fitted experiment, or is held out. Channels:"
+                << "design names the channel " << name
+                << ", which is no channel over time of the fitted experiment, or is held"
+                << " out. Channels:"
                 << keywords::listed(valid).c_str() << exit(FatalIOError);
         }
     }
@@ -54,8 +55,8 @@ void check(const dictionary& dict, const designSettings& d, const recordings& re
     if (!strengths || !repeats || d.draws < 1 || d.probability <= 0 || d.probability >= 1)
     {
         FatalIOErrorInFunction(dict)
-            << "In design, strengths must be above 0, repeats 1 or more and rising, draws 1"
-            << " or more, and probability between 0 and 1" << exit(FatalIOError);
+            << "In design, strengths must be above 0, repeats 1 or more and rising,"
+            << " draws 1 or more, and probability between 0 and 1" << exit(FatalIOError);
     }
     if (d.channels.empty())
     {
@@ -72,10 +73,10 @@ void check(const dictionary& dict, const designSettings& d, const recordings& re
 Foam::misfit::designSettings
 Foam::misfit::readDesign(const dictionary& dict, const recordings& recorded)
 {
-    const dictionary given(keywords::sub(dict, "design"));
+    const dictionary design(keywords::sub(dict, "design"));
     keywords::check
     (
-        given, {"channels", "strengths", "repeats", "draws", "probability"}
+        design, {"channels", "strengths", "repeats", "draws", "probability"}
     );
     designSettings d;
     d.channels = calibrating(recorded, true);
@@ -83,11 +84,11 @@ Foam::misfit::readDesign(const dictionary& dict, const recordings& recorded)
     {
         d.channels = calibrating(recorded, false);
     }
-    given.readIfPresent("channels", d.channels);
-    given.readIfPresent("strengths", d.strengths);
-    given.readIfPresent("repeats", d.repeats);
-    given.readIfPresent("draws", d.draws);
-    given.readIfPresent("probability", d.probability);
-    check(given, d, recorded);
+    design.readIfPresent("channels", d.channels);
+    design.readIfPresent("strengths", d.strengths);
+    design.readIfPresent("repeats", d.repeats);
+    design.readIfPresent("draws", d.draws);
+    design.readIfPresent("probability", d.probability);
+    check(design, d, recorded);
     return d;
 }

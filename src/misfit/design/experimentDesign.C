@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which mechanisms an experiment could tell apart, before it is done.
+// Which mechanisms an experiment could distinguish, before it is done.
 
 #include "channelRanking.H"
 #include "designDraws.H"
@@ -59,9 +59,10 @@ void Foam::misfit::checkStrengths
             if (strength*c.strong > c.upper*(1 + SMALL))
             {
                 FatalIOErrorInFunction(dict)
-                    << "In design, the strength " << strength << " is " << strength*c.strong
-                    << " of the candidate " << c.name << ", and no fit goes beyond its upper, "
-                    << c.upper << ". Take " << strength << " out of strengths; where the"
+                    << "In design, the strength " << strength << " is "
+                    << strength*c.strong << " of the candidate " << c.name
+                    << ", and no fit goes beyond its upper, " << c.upper
+                    << ". Take " << strength << " out of strengths; where the"
                     << " case takes such a strength, set upper " << strength*c.strong
                     << "; in the candidate" << exit(FatalIOError);
             }

@@ -102,9 +102,10 @@ std::vector<std::string> Foam::misfit::inProcesses
     if (!well)
     {
         FatalErrorInFunction
-            << "One of " << processes << " processes ended early; its reason stands above."
-            << " Was it killed, or is memory or disk full? Start again with a smaller jobs"
-            << exit(FatalError);
+            << "One of " << processes
+            << " processes ended early; its reason stands above."
+            << " Was it killed, or is memory or disk full? Start again with a smaller"
+            << " jobs" << exit(FatalError);
     }
     for (label p = 0; p < processes; ++p)
     {

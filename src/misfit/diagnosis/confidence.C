@@ -48,7 +48,7 @@ bool hasAll
 }
 
 
-//- True if an explanation says what the verdict says
+//- True if an explanation names what the verdict names
 bool agrees(const stageResults& e, const decision& d, const hypothesisFit& w)
 {
     switch (d.kind)

@@ -18,7 +18,7 @@ List<dimensionlessLaw> possibleLaws(correctionStudy& c)
     HashTable<conditions> water;
     for (const correctionElement& e : c.elements())
     {
-        if (e.family == "push")
+        if (e.family == elementFamily::push)
         {
             runState state(c.s.state(c.atBase));
             state.noting = true;
@@ -26,8 +26,8 @@ List<dimensionlessLaw> possibleLaws(correctionStudy& c)
             break;
         }
     }
-    List<dimensionlessLaw> all(lawsOf("drag", c.elements(), water));
-    all.append(lawsOf("push", c.elements(), water));
+    List<dimensionlessLaw> all(lawsOf(elementFamily::drag, c.elements(), water));
+    all.append(lawsOf(elementFamily::push, c.elements(), water));
     return all;
 }
 

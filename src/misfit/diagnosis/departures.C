@@ -14,7 +14,8 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
-//- Standard deviations that chance exceeds upwards with this probability in one of so many
+//- Standard deviations that chance exceeds upwards with this probability in one of so
+//  many
 scalar beyondChance(const scalar probability, const scalar attempts)
 {
     const boost::math::normal_distribution<scalar> normal;

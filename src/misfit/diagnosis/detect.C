@@ -15,7 +15,7 @@ std::vector<int> alwaysFailing
 (
     const study& s,
     const std::vector<vec>& design,
-    const List<samples>& given
+    const List<samples>& results
 )
 {
     std::vector<int> failing;
@@ -27,7 +27,7 @@ std::vector<int> alwaysFailing
         {
             const bool on = design[i][s.bounds.nParameters + m] > 0;
             nAttempts += on;
-            ran += on && given[i].ok();
+            ran += on && results[i].ok();
         }
         if (nAttempts && !ran)
         {
@@ -90,7 +90,12 @@ std::vector<place> placesOf
 
 
 //- Where and when recording and calibrated base part beyond chance; left: chance of that
-std::vector<place> locate(const study& s, const hypothesisFit& base, const scanResult& left)
+std::vector<place> locate
+(
+    const study& s,
+    const hypothesisFit& base,
+    const scanResult& left
+)
 {
     const stacked& data = s.calibration.data();
     const vec misfit = data.y - base.fit.f;
@@ -101,7 +106,7 @@ std::vector<place> locate(const study& s, const hypothesisFit& base, const scanR
             statistics::stretches(data, misfit, base.covariance, s.set.beyond);
         if (clear.empty())
         {
-            // Chance says no, yet no sample is far off: the strongest window
+            // More than chance, yet no sample is far off: the strongest window
             clear = left.windows;
             clear.resize(min(clear.size(), size_t(1)));
         }
@@ -145,16 +150,16 @@ std::vector<int> Foam::misfit::addCalibrationRuns(study& s)
             design.push_back(variablesOf(s.set.parameters, s.names, state));
         }
     }
-    const List<samples> given(s.addRuns(design));
-    forAll(given, i)
+    const List<samples> results(s.addRuns(design));
+    forAll(results, i)
     {
-        if (!given[i].ok())
+        if (!results[i].ok())
         {
-            s.leaveOut(s.state(design[i]), given[i].failure);
+            s.leaveOut(s.state(design[i]), results[i].failure);
         }
     }
     s.build();
-    return alwaysFailing(s, design, given);
+    return alwaysFailing(s, design, results);
 }
 
 
@@ -261,14 +266,14 @@ Foam::misfit::screenedCandidates Foam::misfit::addSensitivityRuns
     std::vector<vec> design(1, at);
     const std::vector<vec> alone(s.sensitivityDesign(at, candidates.left));
     design.insert(design.end(), alone.begin(), alone.end());
-    const List<samples> given(s.addRuns(design));
+    const List<samples> results(s.addRuns(design));
 
     screenedCandidates result{{}, candidates.dropped, candidates.failing};
     for (label i = 0; i < count(candidates.left); ++i)
     {
         const int mechanism = candidates.left[i];
-        const samples& weak = given[1 + 2*i];
-        if (weak.ok() || given[2 + 2*i].ok())
+        const samples& weak = results[1 + 2*i];
+        if (weak.ok() || results[2 + 2*i].ok())
         {
             result.left.push_back(mechanism);
         }

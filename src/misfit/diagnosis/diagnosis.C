@@ -101,7 +101,10 @@ Foam::misfit::diagnose(sampler& simulation, const settings& set)
     }
     catch (const std::domain_error& e)
     {
-        FatalErrorInFunction << e.what() << exit(FatalError);
+        FatalErrorInFunction
+            << e.what() << nl
+            << "    Check the uncertainties and the bounds in system/misfitDict"
+            << exit(FatalError);
         throw;
     }
 }

@@ -38,16 +38,23 @@ struct groupFunctions
 
     groupFunctions
     (
-        const word& family,
+        const elementFamily family,
         const List<correctionElement>& elements,
         const HashTable<conditions>& water
     )
     :
-        groups(family == "drag" ? dragGroups : pushGroups),
+        groups(family == elementFamily::drag ? dragGroups : pushGroups),
         values(mat::Zero(elements.size(), groups.size())),
         middle(groups.size(), scalar(1))
     {
-        family == "drag" ? ofDrag(elements) : ofPush(elements, water);
+        if (family == elementFamily::drag)
+        {
+            ofDrag(elements);
+        }
+        else
+        {
+            ofPush(elements, water);
+        }
     }
 
 
@@ -56,7 +63,7 @@ struct groupFunctions
         forAll(elements, i)
         {
             const correctionElement& e = elements[i];
-            if (e.family == "drag")
+            if (e.family == elementFamily::drag)
             {
                 values(i, 0) = 1;
                 values(i, 1) = std::log(e.Reynolds);
@@ -84,7 +91,7 @@ struct groupFunctions
         forAll(elements, i)
         {
             const correctionElement& e = elements[i];
-            if (e.family != "push" || !water.found(e.name))
+            if (e.family != elementFamily::push || !water.found(e.name))
             {
                 continue;
             }
@@ -164,7 +171,7 @@ Foam::misfit::mat Foam::misfit::combinationOf
 
 Foam::List<Foam::misfit::dimensionlessLaw> Foam::misfit::lawsOf
 (
-    const word& family,
+    const elementFamily family,
     const List<correctionElement>& elements,
     const HashTable<conditions>& water
 )
@@ -176,7 +183,7 @@ Foam::List<Foam::misfit::dimensionlessLaw> Foam::misfit::lawsOf
     }
 
     // A factor on the drag always has its constant
-    const bool drag = family == "drag";
+    const bool drag = family == elementFamily::drag;
     const labelList informative(all.informative(drag));
     List<labelList> sets;
     if (drag)

@@ -66,7 +66,7 @@ vec spread(const List<series>& grids, const mat& runs)
 bool Foam::misfit::emulatedPredictor::isVariant(const label run) const
 {
     const runState& s = states_[run];
-    return s.resolution != "base" || s.replicate != states_.first().replicate;
+    return !s.isBase() || s.replicate != states_.first().replicate;
 }
 
 
@@ -77,7 +77,7 @@ bool Foam::misfit::emulatedPredictor::isVariantOf
 ) const
 {
     const runState& r = states_[run];
-    const bool otherResolution = r.resolution != "base";
+    const bool otherResolution = !r.isBase();
     const bool otherReplicate = r.replicate != states_.first().replicate;
     return runs_[run].ok() && otherResolution != otherReplicate
      && r.experiment == s.experiment
@@ -192,7 +192,7 @@ Foam::misfit::emulatedPredictor::emulated(const runState& s) const
         {
             statistics::appendColumn
             (
-                states_[i].resolution == "base" ? replicate : resolution,
+                states_[i].isBase() ? replicate : resolution,
                 onGrids(e.grids, runs_[i]) - (*e.surface)(variables(states_[i]))
             );
         }

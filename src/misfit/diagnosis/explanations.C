@@ -35,17 +35,19 @@ void Foam::misfit::explanations::sort()
 }
 
 
-std::vector<const Foam::misfit::hypothesisFit*> Foam::misfit::explanations::byScore() const
+std::vector<const Foam::misfit::hypothesisFit*>
+Foam::misfit::explanations::byScore() const
 {
     std::vector<const hypothesisFit*> list;
     for (const hypothesisFit& w : all_)
     {
         list.push_back(&w);
     }
-    std::stable_sort(list.begin(), list.end(), [](const hypothesisFit* a, const hypothesisFit* b)
+    const auto isBetter = [](const hypothesisFit* a, const hypothesisFit* b)
     {
         return a->score < b->score;
-    });
+    };
+    std::stable_sort(list.begin(), list.end(), isBetter);
     return list;
 }
 
@@ -146,10 +148,10 @@ Foam::misfit::onSurface(const study& s, const hypothesisFit& w)
     evaluation c;
     c.best = w;
     c.variables = s.calibration.model(w.what).expand(w.fit.x);
-    c.given.calibration = w.fit.f;
+    c.computed.calibration = w.fit.f;
     if (s.validation.size())
     {
-        c.given.validation = s.validation.surface()(c.variables);
+        c.computed.validation = s.validation.surface()(c.variables);
     }
     return c;
 }

@@ -23,18 +23,18 @@ bool computeSensitivities(correctionStudy& c)
     {
         design.insert(design.end(), more.begin(), more.end());
     }
-    const List<samples> given(c.s.addRuns(design));
+    const List<samples> results(c.s.addRuns(design));
     forAll(c.elements(), i)
     {
-        if (!given[i + 1].ok())
+        if (!results[i + 1].ok())
         {
             c.result.failed.append(c.elements()[i].name);
         }
     }
-    c.given = given.first();
-    c.result.failure = c.given.failure;
+    c.computed = results.first();
+    c.result.failure = c.computed.failure;
     c.s.build();
-    return c.given.ok();
+    return c.computed.ok();
 }
 
 
@@ -135,7 +135,7 @@ bool holdsIn
     const dimensionlessLaw* law =
         c.result.explained ? &c.result.laws.first().law : nullptr;
     runState state(c.s.state(other.experiment, c.atBase));
-    state.noting = law && law->family == "push";
+    state.noting = law && law->family == elementFamily::push;
     const samples before(c.s.means(List<runState>(1, state)).first());
     if (!before.ok())
     {
@@ -182,7 +182,7 @@ void test
     result.left = scanResidual(c.s, r.best).p;
     result.isEnough = result.left >= c.s.set.adequacy;
     result.held =
-        compareHere(c.s, c.given, r.given, c.s.validation.uncertainty());
+        compareHere(c.s, c.computed, r.computed, c.s.validation.uncertainty());
     label nAttempts = 0;
     label held = 0;
     for (label i = 1; i < c.s.experiments.size(); ++i)
@@ -206,7 +206,7 @@ void test
 
 word nameOf(const dimensionlessLaw& law)
 {
-    word name(law.family);
+    word name(familyNames[law.family]);
     for (const word& group : law.groups)
     {
         name += ':' + group;
@@ -256,7 +256,7 @@ Foam::misfit::correctionStudy::compute(const hypothesisFit& start)
     {
         const evaluation atBest(onSurface(s, r.best));
         r.variables = atBest.variables;
-        r.given = atBest.given;
+        r.computed = atBest.computed;
     }
     return r;
 }

@@ -73,8 +73,8 @@ gate computedGate(const gateContext& a)
 }
 
 
-//- Both say the same: one that has more on than the other, or less, says nothing else
-bool saySame(const hypothesis& best, const hypothesis& h)
+//- Both name the same: one that has more on than the other, or less, names nothing else
+bool nameSame(const hypothesis& best, const hypothesis& h)
 {
     return
         best.fault ? h.fault && h.fault->blamesSame(*best.fault)
@@ -85,13 +85,13 @@ bool saySame(const hypothesis& best, const hypothesis& h)
 
 gate gapGate(const gateContext& a)
 {
-    // The best of those that say the same leads
+    // The best of those that name the same leads
     scalar own = a.best().score;
     scalar others = GREAT;
     std::optional<hypothesis> next;
     for (const hypothesisFit& w : a.explained.all())
     {
-        if (saySame(a.what(), w.what))
+        if (nameSame(a.what(), w.what))
         {
             own = min(own, w.score);
         }

@@ -2,7 +2,7 @@
 // What an answer must pass at data that were held out.
 
 #include "stages.H"
-#include "elsewhere.H"
+#include "heldOutChance.H"
 
 namespace
 {

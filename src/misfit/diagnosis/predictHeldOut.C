@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Data that were not used to find an answer: predicted, and what is uncertain there.
 
-#include "elsewhere.H"
+#include "heldOutChance.H"
 #include "stages.H"
 
 namespace
@@ -16,22 +16,22 @@ samples withFault
     const study& s,
     const hypothesisFit& best,
     const observation& recorded,
-    samples given
+    samples computed
 )
 {
     for (const purpose use : {purpose::validation, purpose::test})
     {
-        if (best.what.fault && given.of(use).size() == recorded.of(use).size())
+        if (best.what.fault && computed.of(use).size() == recorded.of(use).size())
         {
-            given.of(use) = best.what.fault->elsewhere
+            computed.of(use) = best.what.fault->elsewhere
             (
                 recorded.of(use),
-                given.of(use),
+                computed.of(use),
                 s.calibration.model(best.what).ofFault(best.fit.x)
             );
         }
     }
-    return given;
+    return computed;
 }
 
 
@@ -62,20 +62,20 @@ void addCalibration
     study& s,
     const purpose use,
     const List<runState>& states,
-    const List<samples>& given,
+    const List<samples>& results,
     covariance& known
 )
 {
     mat changes(known.size(), 0);
-    for (label k = 2; k < given.size(); ++k)
+    for (label k = 2; k < results.size(); ++k)
     {
-        if (!given[k].ok())
+        if (!results[k].ok())
         {
-            s.leaveOut(states[k], given[k].failure);
+            s.leaveOut(states[k], results[k].failure);
         }
         else
         {
-            appendColumn(changes, given[k].of(use) - given[0].of(use));
+            appendColumn(changes, results[k].of(use) - results[0].of(use));
         }
     }
     known.addDirections("calibration", changes);
@@ -141,35 +141,35 @@ experimentPrediction predictIn
     (
         statesIn(s, other, steps, e)
     );
-    const List<samples> given(s.means(states));
+    const List<samples> results(s.means(states));
     experimentPrediction r
     {
         covariance(other.of(other.use), s.set.clockUncertainty), {}, {}
     };
-    if (given[0].ok())
+    if (results[0].ok())
     {
         const bool isKnown = addNumerics(s, other, r.known);
         if (validates && !isKnown)
         {
             r.failure = failureIn(other.experiment, "");
         }
-        addCalibration(s, other.use, states, given, r.known);
+        addCalibration(s, other.use, states, results, r.known);
     }
 
-    if (!given[0].ok() || !given[1].ok())
+    if (!results[0].ok() || !results[1].ok())
     {
-        const label failed = given[1].ok() ? 0 : 1;
-        s.leaveOut(states[failed], given[failed].failure);
+        const label failed = results[1].ok() ? 0 : 1;
+        s.leaveOut(states[failed], results[failed].failure);
         if (validates && !r.failure)
         {
-            r.failure = failureIn(other.experiment, given[failed].failure);
+            r.failure = failureIn(other.experiment, results[failed].failure);
         }
         return r;
     }
-    const samples after(withFault(s, e.best(), other, given[1]));
+    const samples after(withFault(s, e.best(), other, results[1]));
     const auto add = [&](const heldOut::part what, const covariance& known)
     {
-        if (const auto one = compare(what, other, given[0], after, known, s.set))
+        if (const auto one = compare(what, other, results[0], after, known, s.set))
         {
             r.held.append(*one);
         }
@@ -225,8 +225,8 @@ Foam::misfit::heldOutPrediction Foam::misfit::predictHeldOut
     heldOutPrediction all;
     all.held = compareHere
     (
-        s, before.given,
-        withFault(s, e.best(), s.data(), e.lookUp(s, e.best()).given),
+        s, before.computed,
+        withFault(s, e.best(), s.data(), e.lookUp(s, e.best()).computed),
         uncertainHere(s, before.variables, steps)
     );
     for (label i = 1; i < s.experiments.size(); ++i)

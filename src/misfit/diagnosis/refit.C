@@ -52,8 +52,8 @@ void preferAmongRivals(const study& s, explanations& e)
 }
 
 
-//- The score up to which an explanation may still win: the error of the surface grows with
-//  the misfit, whose measure is the gain of the best
+//- The score up to which an explanation may still win: the error of the surface grows
+//  with the misfit, whose measure is the gain of the best
 scalar limitOfRefit(const explanations& e, const rules& limits)
 {
     const scalar lowest = e.lowestScore();
@@ -151,35 +151,35 @@ Foam::misfit::evaluation Foam::misfit::refit
     for (label pass = 0; pass < limits.passes; ++pass)
     {
         const vec x = with.expand(next);
-        const samples given(with.compute(x));
-        if (!given.ok() && !pass)
+        const samples computed(with.compute(x));
+        if (!computed.ok() && !pass)
         {
-            Info<< "    not computed: " << given.failure.c_str() << endl;
-            r.failure = given.failure;
+            Info<< "    not computed: " << computed.failure.c_str() << endl;
+            r.failure = computed.failure;
             return r;
         }
 
         bool better = false;
-        if (given.ok())
+        if (computed.ok())
         {
-            with.passThrough(x, given);
+            with.passThrough(x, computed);
             const hypothesisFit here(with.stay(next));
             better = !pass || here.score < least.score;
             if (better)
             {
                 least = here;
                 r.variables = x;
-                r.given = given;
+                r.computed = computed;
             }
             else
             {
-                with.passThrough(r.variables, r.given);
+                with.passThrough(r.variables, r.computed);
             }
             onward = with.fit(least);
         }
         else
         {
-            Info<< "    half as far, as there " << given.failure.c_str() << endl;
+            Info<< "    half as far, as there " << computed.failure.c_str() << endl;
         }
         share = better ? 1 : 0.5*share;
 
@@ -217,9 +217,9 @@ Foam::misfit::evaluation Foam::misfit::refit
     {
         return s.means(std::vector<vec>(1, x)).first();
     };
-    with.passThrough = [&](const vec& x, const samples& given)
+    with.passThrough = [&](const vec& x, const samples& computed)
     {
-        local.passThrough(x, given.calibration);
+        local.passThrough(x, computed.calibration);
     };
     with.stay = [&](const hypothesisFit& now)
     {

@@ -38,7 +38,8 @@ dictionary withChanges(const dictionary& decision)
     dictionary all(standardRules());
     keywords::checkRenamed
     (
-        decision, {{"formulaTolerance", "modelDiscrepancy"}, {"tellingApart", "separation"}}
+        decision,
+        {{"formulaTolerance", "modelDiscrepancy"}, {"tellingApart", "separation"}}
     );
     keywords::check(decision, all.toc());
     all.merge(decision);

@@ -94,9 +94,9 @@ stacked possible(const recordings& all, const word& experiment)
         const bool isPossible =
             !c.isRecorded() && c.overTime() && parts.found(c.experiment);
         const Pair<scalar> recorded(timesOf(all, c.experiment));
-        const bool given = c.interval.first() > -GREAT;
-        const scalar from = given ? c.interval.first() : recorded.first();
-        const scalar to = given ? c.interval.second() : recorded.second();
+        const bool isLimited = c.interval.first() > -GREAT;
+        const scalar from = isLimited ? c.interval.first() : recorded.first();
+        const scalar to = isLimited ? c.interval.second() : recorded.second();
         if (isPossible && to > from)
         {
             segment s(segmentOf(c, n));

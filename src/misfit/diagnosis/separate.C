@@ -72,7 +72,7 @@ Foam::misfit::advice Foam::misfit::measurementBetween
     const stacked& possible = s.data().possible;
     for (const evaluation& c : two)
     {
-        if (!c.given.possible.size() && possible.size())
+        if (!c.computed.possible.size() && possible.size())
         {
             result.what = advice::kind::notRun;
             result.two = {c.best.what};
@@ -82,8 +82,8 @@ Foam::misfit::advice Foam::misfit::measurementBetween
 
     result.what = advice::kind::elsewhere;
     result.two = {two[0].best.what, two[1].best.what};
-    const vec& a = two[0].given.possible;
-    const vec& b = two[1].given.possible;
+    const vec& a = two[0].computed.possible;
+    const vec& b = two[1].computed.possible;
     if (a.size() != possible.size() || b.size() != a.size())
     {
         return result;

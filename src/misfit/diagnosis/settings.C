@@ -54,7 +54,8 @@ void checkSizes(const dictionary& dict, const settings& s)
         FatalIOErrorInFunction(dict)
             << "trainingEnsemble is " << s.trainingEnsemble << ": one for "
             << s.parameters.size() << " parameters and " << s.candidates.size()
-            << " candidates needs " << terms << " runs, better twice as many" << exit(FatalIOError);
+            << " candidates needs " << terms << " runs, better twice as many"
+            << exit(FatalIOError);
     }
     const bool repeats = s.replicates >= 1 && s.commonRandomNumbers >= 1;
     if (!repeats || s.draws < 100)
@@ -96,8 +97,8 @@ void warnOfReplicates(const dictionary& dict, const settings& s)
     if (!canRepeat && dict.getOrDefault<label>("replicates", 1) > 1)
     {
         WarningInFunction
-            << "replicates is " << dict.get<label>("replicates") << ", but nothing says"
-            << " what differs between them, so the case runs once: give"
+            << "replicates is " << dict.get<label>("replicates") << ", but nothing"
+            << " differs between them, so the case runs once: give"
             << " replicateChanges, or take replicates out" << endl;
     }
 }

@@ -72,7 +72,8 @@ Foam::misfit::study::study(sampler& s, const settings& set)
     experiments(s.data()),
     calibration
     (
-        data().calibration, bounds, set.clockUncertainty, set.modelDiscrepancy, set.chaotic
+        data().calibration, bounds, set.clockUncertainty, set.modelDiscrepancy,
+        set.chaotic
     ),
     validation
     (
@@ -152,14 +153,14 @@ void Foam::misfit::study::leaveOut(const runState& s, const string& why)
 Foam::List<Foam::misfit::samples>
 Foam::misfit::study::addRuns(const std::vector<vec>& variables)
 {
-    const List<samples> given(means(variables));
-    forAll(given, i)
+    const List<samples> results(means(variables));
+    forAll(results, i)
     {
-        if (given[i].ok())
+        if (results[i].ok())
         {
-            calibration.addRun(variables[i], given[i].calibration);
-            validation.addRun(variables[i], given[i].validation);
+            calibration.addRun(variables[i], results[i].calibration);
+            validation.addRun(variables[i], results[i].validation);
         }
     }
-    return given;
+    return results;
 }

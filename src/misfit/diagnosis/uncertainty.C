@@ -11,23 +11,23 @@ using namespace Foam::misfit;
 
 void checkBases(study& s)
 {
-    const List<samples> given(s.run(bases(s)));
-    if (!given.first().ok())
+    const List<samples> results(s.run(bases(s)));
+    if (!results.first().ok())
     {
         FatalErrorInFunction
-            << "The base case did not run: " << given.first().failure.c_str()
+            << "The base case did not run: " << results.first().failure.c_str()
             << nl << "Correct the case first; nothing was diagnosed. If the case"
             << " is sound, delete its folder in misfit/runs to have it run again"
             << exit(FatalError);
     }
-    for (label i = 1; i < given.size(); ++i)
+    for (label i = 1; i < results.size(); ++i)
     {
-        if (!given[i].ok())
+        if (!results[i].ok())
         {
             WarningInFunction
                 << "The base of the experiment "
                 << s.experiments[i].experiment << " did not run: "
-                << given[i].failure.c_str() << nl
+                << results[i].failure.c_str() << nl
                 << "It confirms nothing until that is corrected" << endl;
         }
     }
@@ -50,7 +50,7 @@ void checkFailure
             << s.set.commonRandomNumbers << " with common random numbers"
             << " that every state is computed with, failed: "
             << why.c_str() << nl << "Correct 'replicateChanges'"
-            << " in system/misfitDict, or ask for fewer with 'commonRandomNumbers'."
+            << " in system/misfitDict, or request fewer with 'commonRandomNumbers'."
             << " Finished runs are kept" << exit(FatalError);
     }
     s.leaveOut(state, why);
@@ -76,7 +76,7 @@ void checkAny
 (
     const word& resolution,
     const List<runState>& states,
-    const List<samples>& given,
+    const List<samples>& results,
     const mat& changes
 )
 {
@@ -89,7 +89,7 @@ void checkAny
     {
         if (states[i].resolution == resolution && why.empty())
         {
-            why = given[i].failure;
+            why = results[i].failure;
         }
     }
     FatalErrorInFunction
@@ -157,16 +157,16 @@ mat samplesOf
 (
     const word& resolution,
     const List<runState>& states,
-    const List<samples>& given,
+    const List<samples>& results,
     const purpose use
 )
 {
     mat all;
     forAll(states, i)
     {
-        if (states[i].resolution == resolution && given[i].ok())
+        if (states[i].resolution == resolution && results[i].ok())
         {
-            appendColumn(all, given[i].of(use));
+            appendColumn(all, results[i].of(use));
         }
     }
     return all;
@@ -179,7 +179,7 @@ mat changesBy
 (
     const word& resolution,
     const List<runState>& states,
-    const List<samples>& given,
+    const List<samples>& results,
     const purpose use
 )
 {
@@ -187,10 +187,10 @@ mat changesBy
     forAll(states, i)
     {
         // The replicates without it are the first runs, in their order
-        const samples& base = given[states[i].replicate];
-        if (states[i].resolution == resolution && given[i].ok() && base.ok())
+        const samples& base = results[states[i].replicate];
+        if (states[i].resolution == resolution && results[i].ok() && base.ok())
         {
-            appendColumn(all, given[i].of(use) - base.of(use));
+            appendColumn(all, results[i].of(use) - base.of(use));
         }
     }
     return all;
@@ -241,35 +241,36 @@ void Foam::misfit::addUncertainty(study& s)
     const settings& set = s.set;
     const List<runState> states(uncertaintyRuns(s, s.data().experiment));
     checkBases(s);
-    const List<samples> given(s.run(states));
-    forAll(given, i)
+    const List<samples> results(s.run(states));
+    forAll(results, i)
     {
-        if (!given[i].ok())
+        if (!results[i].ok())
         {
-            checkFailure(s, i, states[i], given[i].failure);
+            checkFailure(s, i, states[i], results[i].failure);
         }
     }
     const purpose fitted = purpose::calibration;
     const purpose held = purpose::validation;
-    const mat repeats(samplesOf("base", states, given, fitted));
+    const mat repeats(samplesOf("base", states, results, fitted));
     checkSpread(set.replicates, repeats.cols());
     for (const word& name : set.resolutions)
     {
-        const mat changes(changesBy(name, states, given, fitted));
-        const mat heldChanges(changesBy(name, states, given, held));
-        checkAny(name, states, given, changes);
+        const mat changes(changesBy(name, states, results, fitted));
+        const mat heldChanges(changesBy(name, states, results, held));
+        checkAny(name, states, results, changes);
         if (!s.simulation.isSelection())
         {
             checkChanges(name, changes, heldChanges);
             checkReplicates
             (
-                samplesOf(name, states, given, fitted), samplesOf(name, states, given, held)
+                samplesOf(name, states, results, fitted),
+                samplesOf(name, states, results, held)
             );
         }
         s.calibration.addResolution(name, changes);
         s.validation.addResolution(name, heldChanges);
     }
-    const mat heldRepeats(samplesOf("base", states, given, held));
+    const mat heldRepeats(samplesOf("base", states, results, held));
     if (!s.simulation.isSelection())
     {
         checkReplicates(repeats, heldRepeats);
@@ -288,19 +289,19 @@ bool Foam::misfit::addNumerics
 {
     const label replicates = s.set.replicates;
     const List<runState> states(uncertaintyRuns(s, other.experiment));
-    const List<samples> given(s.run(states));
-    bool confirms = given.first().ok();
-    forAll(given, i)
+    const List<samples> results(s.run(states));
+    bool confirms = results.first().ok();
+    forAll(results, i)
     {
-        if (!given[i].ok())
+        if (!results[i].ok())
         {
-            s.leaveOut(states[i], given[i].failure);
+            s.leaveOut(states[i], results[i].failure);
         }
     }
-    const mat repeats(samplesOf("base", states, given, other.use));
+    const mat repeats(samplesOf("base", states, results, other.use));
     for (const word& name : s.set.resolutions)
     {
-        const mat changes(changesBy(name, states, given, other.use));
+        const mat changes(changesBy(name, states, results, other.use));
         confirms = confirms && changes.cols();
         if (changes.cols())
         {

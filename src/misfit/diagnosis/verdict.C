@@ -67,7 +67,7 @@ bool blameTheSame(const std::vector<hypothesisFit>& near, const hypothesis& best
 }
 
 
-//- The simplest of these are the answer: one that adds to another of the set says
+//- The simplest of these are the answer: one that adds to another of the set explains
 //  nothing more
 decision setOf(const std::vector<hypothesisFit>& all)
 {

@@ -84,7 +84,8 @@ static string faultOfHeight(const polyMesh& mesh, const observer& o)
     if (height > most)
     {
         os << "\n    " << o.of.name << " has the height " << height
-            << " m, more than the diagonal of the mesh, whose bounds are " << mesh.bounds();
+            << " m, more than the diagonal of the mesh, whose bounds are "
+            << mesh.bounds();
     }
     return os.str();
 }

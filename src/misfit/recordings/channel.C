@@ -121,7 +121,7 @@ void doubtUncertainty(const channel& c)
             << "Channel " << c.name << " does not change by more than its uncertainty:"
             << " its range is " << range << ", its uncertainty "
             << c.samples.uncertainty
-            << " (SI), so it can say little. Is the sensor dead or dry, or the"
+            << " (SI), so it can decide little. Is the sensor dead or dry, or the"
             << " uncertainty not in SI units?" << endl;
     }
 }
@@ -205,8 +205,9 @@ Foam::misfit::channel::channel
     else if (dict.found("repeats"))
     {
         FatalIOErrorInFunction(dict)
-            << "The channel " << name << " has repeats of no recording: give its first one"
-            << " as file" << exit(FatalIOError);
+            << "The channel " << name
+            << " has repeats of no recording: give its first one as file"
+            << exit(FatalIOError);
     }
 }
 

@@ -32,7 +32,7 @@ fileName expanded(const dictionary& dict, const string& name)
         {
             FatalIOErrorInFunction(dict)
                 << "The recording " << name << " needs the variable "
-                << needed << ", which is not set. Say where the recordings are:"
+                << needed << ", which is not set. Set it to their folder:"
                 << "  export " << needed << "=<folder>" << exit(FatalIOError);
         }
     }
@@ -71,7 +71,7 @@ word unitGiven(const dictionary& dict, const word& key)
 
 
 //- The unit of that name; fatal if it is none of the quantity. What is the
-//  subject of the sentence that says so
+//  subject of the error that reports it
 const unit& checkedUnit
 (
     const dictionary& dict,
@@ -160,7 +160,7 @@ scalarList readColumn
     if (!written.empty() && written != name)
     {
         FatalIOErrorInFunction(dict)
-            << what.c_str() << " is in " << written << ", but " << key << " says " << name
+            << what.c_str() << " is in " << written << ", but " << key << " is " << name
             << ". Remove one of them" << exit(FatalIOError);
     }
 
@@ -242,8 +242,8 @@ Foam::misfit::recordedFile Foam::misfit::channel::readFile
     const string& fileGiven
 ) const
 {
-    const fileName given(expanded(dict, fileGiven));
-    const fileName file(given.isAbsolute() ? given : folder/given);
+    const fileName path(expanded(dict, fileGiven));
+    const fileName file(path.isAbsolute() ? path : folder/path);
     if (!isFile(file, false))
     {
         FatalIOErrorInFunction(dict)
@@ -270,7 +270,8 @@ void Foam::misfit::channel::readValue(const dictionary& dict)
     {
         FatalIOErrorInFunction(dict)
             << "The channel " << name << " has a value, a number alone. It"
-            << " needs its unit, no file and no repeats. Units of " << samples.quantity.c_str() << ":"
+            << " needs its unit, no file and no repeats. Units of "
+            << samples.quantity.c_str() << ":"
             << keywords::listed(unitsOf(*findQuantity(samples.quantity))).c_str()
             << exit(FatalIOError);
     }

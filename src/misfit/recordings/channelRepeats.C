@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What was recorded of one channel, as a mean where the experiment was done several times.
+// What was recorded of one channel, as a mean where the experiment was done several
+// times.
 
 #include "channel.H"
 #include "OStringStream.H"
@@ -38,14 +39,16 @@ void checkInterval
         FatalIOErrorInFunction(dict)
             << "The channel " << channel << " has " << n << " readings in the interval "
             << interval << "; it needs three. The file covers "
-            << written(whole.x.first()).c_str() << " to " << written(whole.x.last()).c_str()
+            << written(whole.x.first()).c_str() << " to "
+            << written(whole.x.last()).c_str()
             << ". If it counts from elsewhere: xOffset" << exit(FatalIOError);
     }
 }
 
 
 //- Fatal where the experiment done again is a copy of one before, does not cover what
-//  counts, or has fewer readings there: its mean with others would be less sure than it looks
+//  counts, or has fewer readings there: its mean with others would be less sure than it
+//  looks
 void checkRepeat
 (
     const dictionary& dict,

@@ -71,7 +71,8 @@ void checkNumbers(const numberTable& t, const label column)
         FatalErrorInFunction
             << "Line " << t.lines[first->first.second] << " of " << t.file << " holds \""
             << first->second.c_str() << "\" in the column " << t.names[column]
-            << ", which is no finite number. Remove the line if nothing was recorded then";
+            << ", which is no finite number. Remove the line if nothing was recorded"
+            << " then";
         if (n > 1)
         {
             FatalError << "; it is the first of " << label(n) << " such lines";
@@ -163,7 +164,9 @@ const numberTable& withNumbers(const numberTable& t, const fileName& files)
     if (t.rows.empty())
     {
         FatalErrorInFunction
-            << "The run wrote no numbers in " << files.c_str() << exit(FatalError);
+            << "The run wrote no numbers in " << files.c_str() << nl
+            << "    Does it reach the first time at which the function object writes?"
+            << exit(FatalError);
     }
     return t;
 }
@@ -211,7 +214,8 @@ Foam::scalarList Foam::misfit::numberTable::column(const label i) const
             FatalErrorInFunction
                 << "Line " << lines[row] << " of the table " << file << " has "
                 << rows[row].size() << " columns, but column " << i + 1
-                << " is needed" << exit(FatalError);
+                << " is needed: correct the line, or the column of the channel"
+                << exit(FatalError);
         }
         numbers[row] = rows[row][i];
     }
@@ -255,7 +259,8 @@ Foam::misfit::numberTable Foam::misfit::csvTable(const fileName& file)
     if (!is)
     {
         FatalErrorInFunction
-            << "There is no file " << file << exit(FatalError);
+            << "There is no file " << file << ": correct its path"
+            << exit(FatalError);
     }
     try
     {
@@ -276,7 +281,8 @@ Foam::misfit::numberTable Foam::misfit::csvTable(const fileName& file)
     if (t.rows.empty())
     {
         FatalErrorInFunction
-            << "The file " << file << " holds no numbers" << exit(FatalError);
+            << "The file " << file << " holds no numbers: it needs a line of names and"
+            << " rows of numbers" << exit(FatalError);
     }
     return t;
 }

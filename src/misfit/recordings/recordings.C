@@ -90,8 +90,9 @@ void Foam::misfit::recordings::readExperiments(const dictionary& dict)
         if (word(e.keyword()).find('+') != string::npos)
         {
             FatalIOErrorInFunction(dict)
-                << "The name of the experiment " << e.keyword() << " has a +, which stands"
-                << " between the names of several: give it another" << exit(FatalIOError);
+                << "The name of the experiment " << e.keyword()
+                << " has a +, which stands between the names of several: give it another"
+                << exit(FatalIOError);
         }
         experiments_.append(e.keyword());
         purposes_.append
@@ -200,7 +201,7 @@ Foam::misfit::recordings::recordings
     {
         FatalIOErrorInFunction(dict)
             << "samples is " << samples_ << "; a channel needs at least five to"
-            << " say when it parts from the simulation" << exit(FatalIOError);
+            << " show when it departs from the simulation" << exit(FatalIOError);
     }
 
     for (const entry& e : dict.subDict("channels"))
@@ -343,10 +344,11 @@ void Foam::misfit::recordings::plan()
     {
         if (!c.isRecorded() && c.overTime() && fitted.found(c.experiment))
         {
-            const bool given = c.interval.first() > -GREAT;
+            const bool isLimited = c.interval.first() > -GREAT;
             c.plan
             (
-                given ? c.interval.first() : first, given ? c.interval.second() : last,
+                isLimited ? c.interval.first() : first,
+                isLimited ? c.interval.second() : last,
                 samples_
             );
         }

@@ -44,8 +44,8 @@ void addHeld(json& facts, const correctionFit& c)
 Foam::string Foam::misfit::describe(const correctionElement& e, const scalar value)
 {
     const auto number = [](const scalar x) { return numberWords(x, 3); };
-    json facts = {{e.family, true}};
-    if (e.family == "drag")
+    json facts = {{familyNames[e.family], true}};
+    if (e.family == elementFamily::drag)
     {
         facts["factor"] = number(std::exp(value));
         facts["voidFraction"] = number(e.voidFraction);
@@ -68,7 +68,7 @@ Foam::string Foam::misfit::describe(const correctionElement& e, const scalar val
 
 Foam::string Foam::misfit::describe(const fittedLaw& l)
 {
-    const bool drag = l.law.family == "drag";
+    const bool drag = l.law.family == elementFamily::drag;
     const wordList names
     (
         drag ? wordList({"factor", "Re_p", "voidFraction"})
@@ -98,7 +98,11 @@ Foam::string Foam::misfit::describe(const fittedLaw& l)
     return renderTemplate
     (
         "law",
-        {{l.law.family, true}, {"functions", functions}, {"against", against}}
+        {
+            {familyNames[l.law.family], true},
+            {"functions", functions},
+            {"against", against}
+        }
     );
 }
 

@@ -27,6 +27,13 @@ string causeOf(const designRow& r)
 }
 
 
+//- An answer: its mechanisms or the channel that it blames
+string inWords(const std::vector<word>& answer)
+{
+    return answer.empty() ? string("none") : joined(answer, " and ");
+}
+
+
 //- What stands in answers most often besides what is right; empty: nothing
 string mostOften(const designRow& r)
 {
@@ -37,16 +44,17 @@ string mostOften(const designRow& r)
     );
     return
         most == r.others.end()
-      ? string() : most->first + " (" + percentWords(r.share(most->second)) + ')';
+      ? string()
+      : inWords(most->first) + " (" + percentWords(r.share(most->second)) + ')';
 }
 
 
 json rowRecord(const designRow& r)
 {
     json others = json::object();
-    for (const auto& [name, n] : r.others)
+    for (const auto& [names, n] : r.others)
     {
-        others[name] = r.share(n);
+        others[inWords(names)] = r.share(n);
     }
     return
     {

@@ -275,7 +275,11 @@ std::string Foam::misfit::reportHtml
     page["distances"] = distances(f);
     page["sources"] = each(f.detection.sources, [](const auto& s) { return s.first; });
     page["uncertain"] =
-        each(f.detection.data.segments, [&f](const segment& s) { return uncertain(f, s); });
+        each
+        (
+            f.detection.data.segments,
+            [&f](const segment& s) { return uncertain(f, s); }
+        );
 
     return fillTemplate("report.html", page);
 }

@@ -182,7 +182,7 @@ json law(const fittedLaw& l)
 {
     return
     {
-        {"family", l.law.family},
+        {"family", familyNames[l.law.family]},
         {"groups", l.law.groups},
         {"words", describe(l)},
         {"lead", l.lead}
@@ -346,7 +346,10 @@ Foam::misfit::recordOf(const finding& f, const string& title)
         {"uncertainty", uncertainty(f)},
         {"gates", each(f.tests.gates, numbers)},
         {"heldOut", each(f.held(), &match)},
-        {"freeCorrection", f.correction.isRequested ? freeCorrection(f.correction) : json()},
+        {
+            "freeCorrection",
+            f.correction.isRequested ? freeCorrection(f.correction) : json()
+        },
         {"posterior", posterior(f)},
         {"dropped", each(f.candidates.dropped, &droppedRecord)},
         {"failedRuns", each(f.failedRuns, [](const auto& run) { return describe(run); })},

@@ -119,7 +119,10 @@ string alternatives(const finding& f)
 //- True if both of a set at once are as good as one of them
 bool mayBeTogether(const finding& f)
 {
-    const auto hasOne = [](const hypothesisFit& w) { return w.what.mechanisms.size() == 1; };
+    const auto hasOne = [](const hypothesisFit& w)
+    {
+        return w.what.mechanisms.size() == 1;
+    };
     const auto hasBoth = [&f](const hypothesisFit& w)
     {
         const auto has = [&w](const hypothesisFit& one)
@@ -131,7 +134,10 @@ bool mayBeTogether(const finding& f)
         };
         return
             w.what.mechanisms.size() == 2
-         && std::all_of(f.verdict.alternatives.begin(), f.verdict.alternatives.end(), has);
+         && std::all_of
+            (
+                f.verdict.alternatives.begin(), f.verdict.alternatives.end(), has
+            );
     };
     return
         f.verdict.alternatives.size() == 2
@@ -286,7 +292,8 @@ Foam::string Foam::misfit::describe(const finding& f)
     {
         addLeftOut(facts, f);
     }
-    return renderTemplate("verdict", facts) + (c.isRequested ? ' ' + describe(c) : string());
+    const string correction(c.isRequested ? ' ' + describe(c) : string());
+    return renderTemplate("verdict", facts) + correction;
 }
 
 

@@ -14,6 +14,13 @@
 #include <functional>
 #include <numeric>
 
+const Foam::Enum<Foam::misfit::elementFamily> Foam::misfit::familyNames
+({
+    {elementFamily::push, "push"},
+    {elementFamily::drag, "drag"}
+});
+
+
 namespace
 {
 
@@ -49,14 +56,14 @@ scalar aboveZero
     const char* meaning = ""
 )
 {
-    const scalar given = dict.get<scalar>(key);
-    if (given <= 0)
+    const scalar value = dict.get<scalar>(key);
+    if (value <= 0)
     {
         FatalIOErrorInFunction(dict)
-            << key << ' ' << given << " of the correction must be above zero"
+            << key << ' ' << value << " of the correction must be above zero"
             << meaning << exit(FatalIOError);
     }
-    return given;
+    return value;
 }
 
 
@@ -72,8 +79,8 @@ Pair<scalar> reachOf
 {
     if (dict.found(key) || list.size() == 1)
     {
-        const scalar given = aboveZero(dict, key);
-        return Pair<scalar>(given, given);
+        const scalar distance = aboveZero(dict, key);
+        return Pair<scalar>(distance, distance);
     }
     const label last = list.size() - 1;
     const scalar before = i > 0 ? list[i] - list[i - 1] : list[1] - list[0];
@@ -126,7 +133,7 @@ void Foam::misfit::correction::readPush(const dictionary& dict)
         }
     }
     correctionElement e;
-    e.family = "push";
+    e.family = elementFamily::push;
     e.size = aboveZero(dict, "size", likely);
     e.direction = keywords::unitVector(dict, "direction", e.direction);
     forAll(stations, i)
@@ -157,7 +164,7 @@ void Foam::misfit::correction::readDrag(const dictionary& dict)
             << exit(FatalIOError);
     }
     correctionElement e;
-    e.family = "drag";
+    e.family = elementFamily::drag;
     e.size = aboveZero(dict, "size", likely);
     forAll(voidFractions_, i)
     {
@@ -254,7 +261,7 @@ Foam::List<Foam::misfit::caseChange> Foam::misfit::correction::changes
     for (const correctionElement& e : elements_)
     {
         const scalar value = strengths.lookup(e.name, 0);
-        if (e.family == "drag")
+        if (e.family == elementFamily::drag)
         {
             dragChanges = dragChanges || value != 0;
         }

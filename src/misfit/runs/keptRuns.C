@@ -229,7 +229,8 @@ void Foam::misfit::keptRuns::printPlan
     Info<< file.name() << " has " << here << " of " << states.size() << " runs";
     if (left)
     {
-        Info<< ", about " << std::ceil(each*left/60) << " min for the " << left << " to do";
+        Info<< ", about " << std::ceil(each*left/60) << " min for the " << left
+            << " to do";
     }
     Info<< endl;
 }
@@ -265,7 +266,8 @@ Foam::List<Foam::misfit::prediction> Foam::misfit::keptRuns::predictions
     stringList stopped;
     for (label first = 0; first < end; first += batch)
     {
-        printPlan(runs, timer.elapsedTime()/max(first, label(1)), first ? end - first : 0);
+        const scalar perRun = timer.elapsedTime()/max(first, label(1));
+        printPlan(runs, perRun, first ? end - first : 0);
         const labelList some(SubList<label>(todo, min(batch, end - first), first));
         const List<runState> missing(UIndirectList<runState>(states, some));
         const List<prediction> more(solver.predict(missing));

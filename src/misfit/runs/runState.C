@@ -25,7 +25,7 @@ Foam::string Foam::misfit::describe(const runState& state)
     {
         os << ", replicate " << state.replicate;
     }
-    if (state.resolution != "base")
+    if (!state.isBase())
     {
         os << ", other " << state.resolution;
     }

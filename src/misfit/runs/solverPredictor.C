@@ -26,7 +26,7 @@ Foam::misfit::solverPredictor::changes(const runState& state) const
     };
 
     add(experiments_[state.experiment], 0);
-    if (state.resolution != "base")
+    if (!state.isBase())
     {
         add(resolutions_[state.resolution], 0);
     }
@@ -112,7 +112,7 @@ bool Foam::misfit::solverPredictor::isBase(const runState& state) const
     {
         atMean = atMean && *strength == 0;
     }
-    return atMean && !state.replicate && state.resolution == "base";
+    return atMean && !state.replicate && state.isBase();
 }
 
 
@@ -284,7 +284,8 @@ void Foam::misfit::solverPredictor::print
     if (left && donePrinted_)
     {
         const scalar minutes = secondsPrinted_/donePrinted_*left/store_.jobs()/60;
-        Info<< "    about " << std::ceil(minutes) << " min for the " << left << " to do" << nl;
+        Info<< "    about " << std::ceil(minutes) << " min for the " << left << " to do"
+            << nl;
     }
     Info<< endl;
 }

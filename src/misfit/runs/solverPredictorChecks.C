@@ -148,7 +148,7 @@ void Foam::misfit::solverPredictor::checkWater
     runState withBase(state);
     withBase.resolution = "base";
     const runRequest base(request(withBase));
-    if (state.resolution == "base" || !store_.isFinished(base))
+    if (state.isBase() || !store_.isFinished(base))
     {
         return;
     }

@@ -93,7 +93,8 @@ bool isMisfitDict(const fileName& file)
 }
 
 
-//- True if a command or a script works on the folder system, or on files there by a pattern
+//- True if a command or a script works on the folder system, or on files there by a
+//  pattern
 bool worksOnSystem(const string& text)
 {
     static const std::regex folder

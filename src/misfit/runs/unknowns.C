@@ -62,7 +62,8 @@ List<misfit::expectedSign> signsOf(const dictionary& dict)
 }
 
 
-//- Fatal where runs do not reach what was measured, or are nearer together than that is known
+//- Fatal where runs do not reach what was measured, or are nearer together than that is
+//  known
 void checkMeasured(const dictionary& dict, const misfit::parameter& p)
 {
     const bool isCovered = mag(p.measured - p.mean) <= 2*p.deviation;

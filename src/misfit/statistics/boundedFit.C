@@ -109,7 +109,7 @@ void findCovariance
 }
 
 
-//- Half the objective as NLopt asks for it, of variables in units of their own
+//- Half the objective as NLopt requires it, of variables in units of their own
 struct problem
 {
     const fittedModel& model;
@@ -253,9 +253,10 @@ fitResult fitFrom
     fitResult best(searchFrom(model, y, white, start));
 
     // From where it ended, in units of that place, as long as this gains. In the 40 quick
-    // cases of validation/misfit/concealed 8 of 50,931 searches gain more than 0.001 by it, 0.23
-    // at most: all verdicts are the same without, but one case passes a gate less, and
-    // its confidence is another. It takes 1.8 times the calls, a third more time
+    // cases of validation/misfit/concealed 8 of 50,931 searches gain more than 0.001 by
+    // it, 0.23 at most: all verdicts are the same without, but one case passes a gate
+    // less, and its confidence is another. It takes 1.8 times the calls, a third more
+    // time
     double gain = best.objective;
     for (int pass = 0; pass < 10 && gain > 1e-8*(1 + best.objective); ++pass)
     {
@@ -308,7 +309,10 @@ statistics::fitResult statistics::fit
     }
     if (best.objective == large)
     {
-        throw std::domain_error("a fit came to no number: its model, data or bounds have none");
+        throw std::domain_error
+        (
+            "a fit came to no number: its model, data or bounds have none"
+        );
     }
     findCovariance(model, white, best);
     return best;

@@ -311,7 +311,8 @@ statistics::mat statistics::covariance::clockShifts(const vec& f) const
     mat shifts(f.size(), 0);
     for (const segment& s : data_.segments)
     {
-        const auto known = std::find(experiments.begin(), experiments.end(), s.experiment);
+        const auto known =
+            std::find(experiments.begin(), experiments.end(), s.experiment);
         const auto column = known - experiments.begin();
         if (known == experiments.end())
         {

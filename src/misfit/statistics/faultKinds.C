@@ -113,7 +113,7 @@ vec ofSwapped(F, S s, S o, V f, V)
 }
 
 
-//- Another power of ten than it says, or the sign
+//- Another power of ten than its unit states, or the sign
 vec ofUnits(F x, S s, S, V f, V)
 {
     return x.factor*s.of(f);

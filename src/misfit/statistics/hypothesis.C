@@ -239,7 +239,8 @@ std::vector<statistics::vec> statistics::hypothesisModel::starts() const
     {
         // Samples are quadratic in a strength, their misfit may have two minima: from
         // low strengths, and from the largest. In the 40 quick cases of
-        // validation/misfit/concealed 1,155 of some 18,600 fits end lower by it, by 339 at most
+        // validation/misfit/concealed 1,155 of some 18,600 fits end lower by it, by 339
+        // at most
         all.push_back(join(bounds_.mean, start_, u));
         if (start_.any())
         {

@@ -10,6 +10,18 @@ namespace
 
 using namespace statistics;
 
+//- Explanations with mechanisms [-] that are fitted once more with something unknown
+//  beside them: the best, since each costs one more fit and a worse one cannot win
+constexpr int mostBesideUnknown = 4;
+
+//- Largest lag in score [-2 ln(likelihood)] behind the best at which an explanation gets
+//  a covariance of its own: at 30 its probability is exp(-15) of the best's
+constexpr double largestLag = 30;
+
+//- Explanations [-] of those that get one, at most: each costs a fit and a factorisation
+//  of the covariance, and a small misfit leaves all within the lag
+constexpr int mostOwnCovariances = 12;
+
 //- The sort that the number of hypotheses counts in
 int sortOf(const hypothesis& h)
 {
@@ -40,7 +52,7 @@ void statistics::scoring::addPartly(std::vector<hypothesisFit>& list) const
     std::vector<hypothesisFit> partly;
     for (const hypothesisFit& w : list)
     {
-        if (w.what.mechanisms.size() && partly.size() < 4)
+        if (w.what.mechanisms.size() && count(partly) < mostBesideUnknown)
         {
             partly.push_back(scoreUnknown(w));
         }
@@ -102,7 +114,7 @@ std::vector<statistics::hypothesisFit> statistics::scoring::all
     sortByScore(list);
 
     // The best, the base and each mechanism alone, with their own covariance
-    const double limit = list.front().score + 30;
+    const double limit = list.front().score + largestLag;
     int withOwn = 0;
     for (hypothesisFit& w : list)
     {
@@ -111,7 +123,8 @@ std::vector<statistics::hypothesisFit> statistics::scoring::all
             continue;
         }
         const bool single = w.what.mechanisms.size() == 1;
-        if ((w.score < limit && withOwn++ < 12) || single || w.what.isNone())
+        const bool leads = w.score < limit && withOwn++ < mostOwnCovariances;
+        if (leads || single || w.what.isNone())
         {
             w = withOwnCovariance(w);
         }

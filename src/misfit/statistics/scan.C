@@ -5,6 +5,30 @@
 
 #include <algorithm>
 
+namespace
+{
+
+using namespace statistics;
+
+//- Lengths of the windows [samples], each about a third to a half longer than the one
+//  before: a difference of any length fills most of one of them. The last is a whole
+//  channel
+constexpr double windowLengths[] = {2, 3, 4, 6, 8, 12, 16, 24, 32, large};
+
+//- Windows of a length begin every fourth of it, for the same reason
+constexpr int startsPerWindow = 4;
+
+//- Windows [-] that a scan lists at most. Each is taken out of the misfit before the next
+//  is searched, so a misfit that no window fits could add hundreds
+constexpr int mostWindows = 20;
+
+//- Deviation of a fitted direction of which nothing is known, in deviations of the
+//  samples along it [-]. More would drown those of the samples in rounding
+constexpr double unknownDeviation = 1000;
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void statistics::scan::makeWindows()
@@ -13,7 +37,7 @@ void statistics::scan::makeWindows()
     {
         const int n = data_.segments[i].size;
         int last = 0;
-        for (const double length : {2., 3., 4., 6., 8., 12., 16., 24., 32., large})
+        for (const double length : windowLengths)
         {
             const int l = std::min(double(n), length);
             if (l == last)
@@ -21,7 +45,7 @@ void statistics::scan::makeWindows()
                 break;
             }
             last = l;
-            const int step = std::max(l/4, 1);
+            const int step = std::max(l/startsPerWindow, 1);
             for (int begin = 0; begin + l <= n; begin += step)
             {
                 places_.push_back({i, begin, begin + l, 0});
@@ -129,7 +153,7 @@ statistics::scan::operator()(const vec& misfit, const double level) const
         strongest_, vec(templates_.transpose()*u).cwiseAbs().maxCoeff()
     );
 
-    while (result.windows.size() < 20)
+    while (count(result.windows) < mostWindows)
     {
         const vec z = templates_.leftCols(places_.size()).transpose()*u;
         int best = 0;
@@ -164,8 +188,6 @@ statistics::mat statistics::withFitted
     const vec& deviations
 )
 {
-    // Nothing is known along a direction: a thousand of its own deviations. More
-    // would drown those of the samples in rounding.
     const whitener white(covariance);
     mat all = covariance;
     for (int i = 0; i < directions.cols(); ++i)
@@ -175,7 +197,7 @@ statistics::mat statistics::withFitted
         if (size > 0)
         {
             const double deviation =
-                deviations[i] > 0 ? deviations[i] : 1000/size;
+                deviations[i] > 0 ? deviations[i] : unknownDeviation/size;
             all += sqr(deviation)*d*d.transpose();
         }
     }

@@ -5,6 +5,20 @@
 
 #include <algorithm>
 
+namespace
+{
+
+//- Level that a sample alone must exceed, over that of neighbours [-]: chance puts one of
+//  many samples beyond a level far more often than two in a row
+constexpr double levelOfOne = 1.5;
+
+//- Samples [-] within the level that a stretch may hold in a row: noise brings single
+//  samples of a difference back
+constexpr int largestGap = 2;
+
+} // End anonymous namespace
+
+
 std::vector<statistics::window> statistics::stretches
 (
     const stacked& data,
@@ -20,7 +34,7 @@ std::vector<statistics::window> statistics::stretches
     {
         const int first = data.segments[segment].first + begin;
         const int n = end - begin;
-        if (n == 1 && std::abs(z[first]) < 1.5*level)
+        if (n == 1 && std::abs(z[first]) < levelOfOne*level)
         {
             return;
         }
@@ -41,7 +55,7 @@ std::vector<statistics::window> statistics::stretches
             const bool beyond = std::abs(here) > level;
             const bool turned =
                 beyond && begin >= 0 && here*z[s.first + last] < 0;
-            if (begin >= 0 && (turned || k > last + 2 || k == s.size))
+            if (begin >= 0 && (turned || k > last + largestGap || k == s.size))
             {
                 close(i, begin, last + 1);
                 begin = -1;
@@ -57,7 +71,10 @@ std::vector<statistics::window> statistics::stretches
     (
         result.begin(),
         result.end(),
-        [](const window& a, const window& b) { return std::abs(a.size) > std::abs(b.size); }
+        [](const window& a, const window& b)
+        {
+            return std::abs(a.size) > std::abs(b.size);
+        }
     );
     return result;
 }

@@ -58,8 +58,8 @@ void checkNames(const std::string& line, const std::string& of)
     {
         throw std::invalid_argument
         (
-            "The line of names" + of + " is no plain text: save the table as CSV in UTF-8,"
-            " not in UTF-16"
+            "The line of names" + of
+          + " is no plain text: save the table as CSV in UTF-8, not in UTF-16"
         );
     }
     if (line.find_first_of(";\t") != line.npos)

@@ -14,7 +14,7 @@ void Foam::checkMeshAtRest(const Time& runTime)
 
     const bool moves =
         isFile(moving)
-     && dictionary(IFstream(moving)()).lookupOrDefault<word>
+     && dictionary(IFstream(moving)()).getOrDefault<word>
         (
             "dynamicFvMesh",
             "staticFvMesh"
@@ -55,14 +55,14 @@ void Foam::checkNumerics(const fvMesh& mesh, const word& alphaName)
     DynamicList<word> solved({alphaName, "p_rghFinal"});
     if
     (
-        pimple.lookupOrDefault<label>("nCorrectors", 1) > 1
-     || pimple.lookupOrDefault<label>("nOuterCorrectors", 1) > 1
-     || pimple.lookupOrDefault<label>("nNonOrthogonalCorrectors", 0) > 0
+        pimple.getOrDefault<label>("nCorrectors", 1) > 1
+     || pimple.getOrDefault<label>("nOuterCorrectors", 1) > 1
+     || pimple.getOrDefault<label>("nNonOrthogonalCorrectors", 0) > 0
     )
     {
         solved.append("p_rgh");
     }
-    if (pimple.lookupOrDefault("momentumPredictor", true))
+    if (pimple.getOrDefault("momentumPredictor", true))
     {
         solved.append("UFinal");
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stops a run whose flow has diverged, with its fields written to look at.
+// Stops a run whose flow has diverged, with its fields written for inspection.
 
 #include "divergence.H"
 
@@ -105,7 +105,7 @@ void Foam::checkLeastStep
 )
 {
     const dictionary& control = U.time().controlDict();
-    const scalar least = control.lookupOrDefault<scalar>
+    const scalar least = control.getOrDefault<scalar>
     (
         "minDeltaT",
         1e-6*control.get<scalar>("deltaT")

@@ -18,7 +18,7 @@ namespace
 
 using namespace Foam;
 
-//- The file that says that a time folder is complete
+//- The file that marks a time folder as complete
 fileName markOf(const fileName& folder)
 {
     return folder/"uniform"/"complete";
@@ -129,7 +129,7 @@ void Foam::timeFolders::putIncompleteAside(const argList& args)
     if
     (
         !isFile(control)
-     || dictionary(IFstream(control)()).lookupOrDefault<word>
+     || dictionary(IFstream(control)()).getOrDefault<word>
         (
             "startFrom",
             ""
@@ -175,7 +175,8 @@ void Foam::timeFolders::putIncompleteAside(const argList& args)
     compatibility::barrier();
 
     Info<< "Time " << latest << " was not written completely (killed, a"
-        << " full disk, or a flow that diverged?): it is now " << latest << ".incomplete," << nl
+        << " full disk, or a flow that diverged?): it is now " << latest
+        << ".incomplete," << nl
         << "    and this run goes on from " << complete << nl << endl;
 }
 

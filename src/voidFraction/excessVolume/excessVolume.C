@@ -8,7 +8,7 @@ void Foam::excessVolume::moveOn(scalarField& solidFraction)
     const scalarField& volume = mesh_.V();
     DynamicList<transfer> round;
     scalarField part(volume.size(), Zero);
-    scalar moved = 0;
+    scalar movedVolume = 0;
 
     // A rank may have no cells: all count in the same round
     if (!nRounds_)
@@ -26,7 +26,7 @@ void Foam::excessVolume::moveOn(scalarField& solidFraction)
         {
             part[cell] = excess*volume[cell]/n;
             round.append({cell, excess/solidFraction[cell]/n});
-            moved += excess*volume[cell];
+            movedVolume += excess*volume[cell];
         }
     }
 
@@ -41,7 +41,7 @@ void Foam::excessVolume::moveOn(scalarField& solidFraction)
     {
         rounds_.append(List<transfer>(std::move(round)));
     }
-    moved_ += returnReduce(moved, sumOp<scalar>());
+    movedVolume_ += returnReduce(movedVolume, sumOp<scalar>());
 }
 
 
@@ -57,13 +57,13 @@ void Foam::excessVolume::distribute(scalarField& solidFraction)
 
     rounds_.clearStorage();
     nRounds_ = 0;
-    moved_ = 0;
+    movedVolume_ = 0;
 
     for
     (
-        left_ = excess();
-        left_ >= roundOff && nRounds_ < mostRounds;
-        left_ = excess()
+        largestExcess_ = excess();
+        largestExcess_ >= roundOff && nRounds_ < mostRounds;
+        largestExcess_ = excess()
     )
     {
         moveOn(solidFraction);

@@ -15,10 +15,10 @@ Foam::solidFractionField::solidFractionField
     mesh_(exchange.mesh()),
     model_(voidFractionModel::New(dict)),
     mapping_(exchange, keywords::sub(dict, "smoothing")),
-    minimum_(dict.lookupOrDefault<scalar>("minimum", 0.3)),
+    minimum_(dict.getOrDefault<scalar>("minimum", 0.3)),
     solidFraction_(mesh_.nCells(), Zero),
     excess_(mesh_, 1 - minimum_),
-    mostSpread_(dict.lookupOrDefault<scalar>("largestSpread", 0.25))
+    mostSpread_(dict.getOrDefault<scalar>("largestSpread", 0.25))
 {
     wordList known({"model", "minimum", "largestSpread", "smoothing"});
     known.append(model_->modelKeywords());
@@ -109,7 +109,8 @@ void Foam::solidFractionField::reportSpread(const scalar share)
     const string where(fullest());
     OStringStream os;
     os  << 100*share << " % of the solid volume is spread over neighbouring cells"
-        << ", since the void fraction would be below the minimum of " << minimum_ << "." << nl
+        << ", since the void fraction would be below the minimum of " << minimum_ << "."
+        << nl
         << "    " << where.c_str() << "." << nl;
     const string what(os.str());
     const char* const advice =
@@ -136,16 +137,16 @@ void Foam::solidFractionField::reportSpread(const scalar share)
 
 void Foam::solidFractionField::report(const scalarField& before)
 {
-    if (excess_.left() > max(1e-3*minimum_, 2*warnedOf_))
+    if (excess_.largestExcess() > max(1e-3*minimum_, 2*warnedOf_))
     {
-        warnedOf_ = excess_.left();
+        warnedOf_ = excess_.largestExcess();
         WarningInFunction
             << "The void fraction is below the minimum of " << minimum_ << " by "
             << warnedOf_ << ": the grains do not fit into the cells around either."
             << nl << "    Take a lower minimum or larger cells" << endl;
     }
 
-    if (excess_.moved())
+    if (excess_.hasMoved())
     {
         // What goes from full cells to full cells changes none
         const scalarField moved(mesh_.V().field()*mag(solidFraction_ - before));

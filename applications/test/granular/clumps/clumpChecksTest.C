@@ -92,8 +92,8 @@ TEST(clumps, aTemplateWithAMassOfItsOwnIsRefused)
     settings s;
     s.initial =
         "fix other all particletemplate/multisphere 86028121 atom_type 1 density"
-        " constant 2000 nspheres 2 ntry 1000 spheres 0 0 0 0.01 0.01 0 0 0.01 type 2 mass 1"
-        " inertia_tensor 1 0 0 1 0 1 use_volume\n";
+        " constant 2000 nspheres 2 ntry 1000 spheres 0 0 0 0.01 0.01 0 0 0.01 type 2"
+        " mass 1 inertia_tensor 1 0 0 1 0 1 use_volume\n";
     expectHolds(refused("", s), "take them out");
 }
 

@@ -23,7 +23,7 @@ scalar buoyancy()
 
 
 //- In water at rest a clump is carried by the weight of the water in its place, does
-//  not turn, and falls as its density says
+//  not turn, and falls by its density
 void expectArchimedes(const std::string& orientation, const std::string& contacts)
 {
     boxOfWater w(noDrag + "} LIGGGHTS { contacts " + contacts + "; }");

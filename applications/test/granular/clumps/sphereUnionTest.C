@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cfenv>
+
 using namespace Foam;
 using constant::mathematical::pi;
 
@@ -205,6 +207,24 @@ TEST(sphereShares, sumToOneAroundTheCentre)
     EXPECT_NEAR(sum(shares), 1, 1e-15);
     EXPECT_GT(min(shares), 0.02);
     EXPECT_LT(mag(sum(shares*(centres - all.centre()))), 1e-14);
+}
+
+
+// OpenFOAM's trap would stop a program
+TEST(sphereUnion, takesNoRootOfANegativeNumber)
+{
+    pointField all;
+    scalarField radii;
+    cobble(all, radii);
+    std::feclearexcept(FE_ALL_EXCEPT);
+
+    // How many are taken at once depends on their number
+    for (label n = 1; n <= all.size(); ++n)
+    {
+        const UList<point> centres(all.data(), n);
+        EXPECT_GT(sphereUnion(centres, UList<scalar>(radii.data(), n)).volume(), 0);
+        EXPECT_EQ(std::fetestexcept(FE_INVALID), 0) << n;
+    }
 }
 
 

@@ -37,6 +37,9 @@ grainSnapshot oneInEachCell(const fvMesh& mesh, labelList& cells)
         grains.stressMoment[i] = symmTensor(i, 1, 2, 3, 4, 5);
     }
 
+    grains.share = 0.3*scalarField(grains.size(), 1);
+    grains.clumpDiameter = scalarField(grains.size(), 0.07);
+
     const vectorField wall(grains.size(), vector(0, 0, 7));
     grains.wallForce.insert("zMin", wall);
     return grains;
@@ -49,6 +52,8 @@ void expectEqual(const grainSnapshot& a, const grainSnapshot& b)
     EXPECT_EQ(a.id, b.id);
     EXPECT_EQ(a.type, b.type);
     EXPECT_EQ(a.clump, b.clump);
+    EXPECT_EQ(a.share, b.share);
+    EXPECT_EQ(a.clumpDiameter, b.clumpDiameter);
     EXPECT_EQ(a.U, b.U);
     EXPECT_EQ(a.omega, b.omega);
     EXPECT_EQ(a.d, b.d);

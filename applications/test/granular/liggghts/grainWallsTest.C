@@ -138,7 +138,8 @@ scalar smallestAngleOf(const polyPatch& patch)
 }
 
 
-//- What the error says that comes of making triangles of the patch; empty for none
+//- The message of the error that comes of making triangles of the patch; empty for
+//  none
 std::string complaint(const polyPatch& patch)
 {
     try

@@ -23,7 +23,10 @@ TEST(localDamping, isNoContactForceOfAGrainThatFalls)
     const scalar weight = grains->mass()[0]*mag(g);
     EXPECT_LT(grains->velocity()[0].z(), 0);
     EXPECT_NEAR(grains->totalForce()[0].z(), -0.3*weight, 1e-9*weight);
-    for (const vector& force : grains->snapshot()->contactForce)
+
+    // Kept: the loop alone would not
+    const autoPtr<grainSnapshot> snapshot(grains->snapshot());
+    for (const vector& force : snapshot->contactForce)
     {
         EXPECT_LT(mag(force), 1e-9*weight);
     }
@@ -83,7 +86,11 @@ TEST(liggghtsScript, optionsStandBehindTheModelsOfAContact)
         return p.models + " |" + p.options;
     };
 
-    EXPECT_EQ(parts("model hertz tangential history"), " model hertz tangential history |");
+    EXPECT_EQ
+    (
+        parts("model hertz tangential history"),
+        " model hertz tangential history |"
+    );
     EXPECT_EQ
     (
         parts("model  hertz rolling_friction cdt limitForce on torsionTorque on"),

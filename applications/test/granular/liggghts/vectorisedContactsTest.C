@@ -243,7 +243,7 @@ TEST(vectorisedContacts, areLiggghtsOwnToTheLastBit)
 }
 
 
-TEST(vectorisedContacts, takeTurnsWithLiggghtsWhereAStepAsksForMore)
+TEST(vectorisedContacts, takeTurnsWithLiggghtsWhereAStepNeedsMore)
 {
     expectSame(hertzHistory + " rolling_friction epsd2", 500, true);
 }

@@ -157,7 +157,7 @@ TEST(bodiesInContact, blocksSideBySideThatPartDoNotHoldEachOther)
 }
 
 
-TEST(bodiesInContact, aBlockSlidesOnAnotherBodyAsCoulombSaysWithin1Percent)
+TEST(bodiesInContact, aBlockSlidesOnAnotherBodyAsCoulombStatesWithin1Percent)
 {
     blockOnBed slope("friction 0.3;", 30);
     const scalar before = bodyMean(slope.points, 1).x.x();

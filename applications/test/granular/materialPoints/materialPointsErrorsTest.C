@@ -55,7 +55,7 @@ TEST(materialPointsPhase, whatIsWrongIsNamed)
 }
 
 
-TEST(materialPointsPhase, stepsThatAreVeryManyAreTold)
+TEST(materialPointsPhase, stepsThatAreVeryManyAreReported)
 {
     testMesh box(slice());
     const auto output = [&](const string& E, const string& rest)

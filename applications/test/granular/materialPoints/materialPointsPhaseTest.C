@@ -114,7 +114,7 @@ TEST(materialPointsPhase, poresMayBeTighterThanTheirGrainsMakeThem)
 }
 
 
-TEST(materialPointsPhase, theBaseBearsTheWeightAndTheSnapshotTellsIt)
+TEST(materialPointsPhase, theBaseBearsTheWeightAndTheSnapshotHoldsIt)
 {
     testMesh box(slice());
     auto phase = points(box.mesh(), "box ((0 0 0) (1 1 0.2));");
@@ -389,6 +389,7 @@ TEST(materialPointsPhase, pointsStayWithinTheWalls)
     for (label i = 0; i < 200; ++i)
     {
         phase->advance();
+        ASSERT_FALSE(phase->position().empty());
         for (const point& p : phase->position())
         {
             ASSERT_TRUE(box.mesh().bounds().contains(p))

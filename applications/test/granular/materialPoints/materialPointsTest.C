@@ -73,7 +73,7 @@ TEST(materialPoints, anElasticBarVibratesWithItsPeriodWithin1Percent)
 }
 
 
-TEST(materialPoints, aBlockSlidesDownASlopeAsCoulombSaysWithin1Percent)
+TEST(materialPoints, aBlockSlidesDownASlopeAsCoulombStatesWithin1Percent)
 {
     pointBox box;
     box.length = 1;

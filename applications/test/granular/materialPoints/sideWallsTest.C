@@ -112,7 +112,12 @@ TEST(sideWalls, withoutFrictionChangeNoBit)
         (
             pointBox(),
             down,
-            body(sand, "((0 0 0) (0.3 1 0.5))", walls ? "sideWalls { friction 0; width 1; }" : "")
+            body
+            (
+                sand,
+                "((0 0 0) (0.3 1 0.5))",
+                walls ? "sideWalls { friction 0; width 1; }" : ""
+            )
         );
         column.run(0.2);
         places[walls] = vectorField(column.points().x);

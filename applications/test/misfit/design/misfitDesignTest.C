@@ -21,8 +21,8 @@ using namespace Foam::misfit;
 namespace
 {
 
-//- Channels a, b, c ... that are 0, plus the sum of strengths times effects: a row of these
-//  for each channel, a column for each mechanism. The standard deviation of each is 1
+//- Channels a, b, c ... that are 0, plus the sum of strengths times effects: a row of
+//  these for each channel, a column for each mechanism. The deviation of each is 1
 class numbersWorld
 :
     public sampler
@@ -73,7 +73,7 @@ public:
             {
                 all[i].failure = "diverged";
             }
-            if (states[i].resolution != "base" && changedByMesh >= 0)
+            if (!states[i].isBase() && changedByMesh >= 0)
             {
                 all[i].calibration[changedByMesh] += 0.1;
             }
@@ -99,7 +99,7 @@ settings settingsFor(const label mechanisms)
     for (label m = 0; m < mechanisms; ++m)
     {
         const word name(Foam::name(m), false);
-        // What is recorded may be larger than the effect, and no bound may cut the fit off
+        // What is recorded may be larger than the effect, and no bound may limit the fit
         s.candidates.append({name, name, {}, 0.5, 1, 2, GREAT, {}});
     }
     s.modelDiscrepancy = 0;
@@ -185,7 +185,7 @@ TEST(misfitDesign, whatIsLargeIsNamedAndWhatIsSmallIsNot)
 }
 
 
-TEST(misfitDesign, mechanismsWithTheSameEffectAreNeverToldApart)
+TEST(misfitDesign, mechanismsWithTheSameEffectAreNeverSeparated)
 {
     mat effects(3, 2);
     effects << 5, 5, -6, -6, 7, 7;
@@ -204,11 +204,16 @@ TEST(misfitDesign, mechanismsWithTheSameEffectAreNeverToldApart)
         }
     }
     EXPECT_EQ(d.repeatsNeeded("0", 1), 0);
-    EXPECT_EQ(d.row("0", 1, 1).others.count("1"), 1);
+    EXPECT_EQ(d.row("0", 1, 1).others.count(std::vector<word>{"1"}), 1);
+
+    // Answers of other processes come back whole
+    const experimentDesign two(designExperiment(w, settingsFor(2), design, 2));
+    EXPECT_EQ(two.row("0", 1, 1).inSet, d.row("0", 1, 1).inSet);
+    EXPECT_EQ(two.row("0", 1, 1).others, d.row("0", 1, 1).others);
 }
 
 
-TEST(misfitDesign, theChannelThatTellsThemApartHelpsMost)
+TEST(misfitDesign, theChannelThatSeparatesThemHelpsMost)
 {
     // c shows nothing, d one of both
     mat effects(4, 2);
@@ -262,6 +267,7 @@ TEST(misfitDesign, eachAnswerCountsOnceAndTheBrierScoreIsThatOfItsConfidences)
 {
     numbersWorld w(mat::Constant(1, 1, 3));
     const experimentDesign d(designExperiment(w, settingsFor(1), designOfAll(1, 40), 1));
+    ASSERT_FALSE(d.rows.empty());
     for (const designRow& r : d.rows)
     {
         EXPECT_EQ(r.named + r.inSet + r.wrong + r.none + r.unknown, r.draws);
@@ -276,12 +282,13 @@ TEST(misfitDesign, eachAnswerCountsOnceAndTheBrierScoreIsThatOfItsConfidences)
 }
 
 
-TEST(misfitDesign, aCandidateWhoseRunsFailIsToldAndHasNoRows)
+TEST(misfitDesign, aCandidateWhoseRunsFailIsReportedAndHasNoRows)
 {
     numbersWorld w(mat::Constant(1, 2, 3));
     w.failing = "1";
     const experimentDesign d(designExperiment(w, settingsFor(2), designOfAll(1, 5), 1));
     EXPECT_EQ(d.failing, wordList({"1"}));
+    ASSERT_FALSE(d.rows.empty());
     for (const designRow& r : d.rows)
     {
         EXPECT_NE(r.mechanism, "1");
@@ -400,11 +407,12 @@ TEST(misfitDesign, aChannelWithoutAFileIsPlanned)
 
 TEST(misfitDesign, itIsReadByProgramsAndPeople)
 {
+    typedef std::vector<word> names;
     experimentDesign d;
     d.channels = {"P1", "P2"};
     d.probability = 0.8;
-    d.rows.append({"", 0, 1, 20, 1, 0, 0, 1, {{"leak", 1}}});
-    d.rows.append({"drag", 0.5, 1, 20, 19, 8, 4, 2, {{"leak", 5}, {"slurry", 1}}});
+    d.rows.append({"", 0, 1, 20, 1, 0, 0, 1, {{names{"leak"}, 1}}});
+    d.rows.append({"drag", 0.5, 1, 20, 19, 8, 4, 2, {{names{"leak"}, 5}, {names{"slurry"}, 1}}});
     d.rows.append({"drag", 0.5, 3, 20, 20, 18, 1, 0, {}});
     d.options.append({"P3", {}, 0.4, 0.75, {0.2, 0.5}});
     const json all(designRecord(d, "a case"));

@@ -117,7 +117,7 @@ TEST(misfitConfidence, theFitIsTheLikeliest)
 }
 
 
-TEST(misfitConfidence, whatTellsNothingInFewCasesIsShrunk)
+TEST(misfitConfidence, whatHoldsNothingInFewCasesIsShrunk)
 {
     mat x(4, 1);
     x << 0, 1, 2, 3;
@@ -186,7 +186,10 @@ TEST(misfitConfidence, scoredCasesAreReadByTheirColumns)
     {
         heads += ',' + name;
     }
-    writeWhole(file, heads + "\n0001,named,1,2,0.01,3,1,1,0\n0002,none,0,-1,1,0,0.5,0,0\n");
+    writeWhole
+    (
+        file, heads + "\n0001,named,1,2,0.01,3,1,1,0\n0002,none,0,-1,1,0,0.5,0,0\n"
+    );
     const std::vector<knownCase> cases(readKnownCases(file));
     ASSERT_EQ(cases.size(), 2);
     EXPECT_EQ(cases[0].verdict, verdictKind::named);
@@ -247,7 +250,7 @@ TEST(misfitConfidence, anotherTableGivesAnotherConfidenceAndTheSameVerdict)
 }
 
 
-TEST(misfitConfidence, aTableThatIsMissingOrBrokenIsAnErrorThatSaysWhatToDo)
+TEST(misfitConfidence, aTableThatIsMissingOrBrokenIsAnErrorThatStatesWhatToDo)
 {
     const std::string missing
     (
@@ -326,7 +329,7 @@ TEST(misfitRules, aWrongOneIsRefused)
 }
 
 
-TEST(misfitRules, whereTheyAreNotFoundItSaysWhatToDo)
+TEST(misfitRules, whereTheyAreNotFoundItStatesWhatToDo)
 {
     const string before(getEnv("INTERDEMFOAM_DIR"));
     setEnv("INTERDEMFOAM_DIR", "/none", true);

@@ -30,8 +30,10 @@ stageResults twoDeparting()
     e.detection.covariance = e.detection.sigma.cwiseAbs2().asDiagonal();
     for (label k = 0; k < 40; ++k)
     {
-        w.data.segments[0].of(e.detection.data.y)[k] += w.data.segments[0].x[k] > 2 ? 80 : 0;
-        w.data.segments[2].of(e.detection.data.y)[k] += w.data.segments[2].x[k] > 1 ? 80 : 0;
+        w.data.segments[0].of(e.detection.data.y)[k] +=
+            w.data.segments[0].x[k] > 2 ? 80 : 0;
+        w.data.segments[2].of(e.detection.data.y)[k] +=
+            w.data.segments[2].x[k] > 1 ? 80 : 0;
     }
     return e;
 }
@@ -65,7 +67,9 @@ TEST(misfitDepartures, whatDoesNotRiseDoesNotArrive)
     stageResults e(twoDeparting());
     const world w(40);
     w.data.segments[1].of(e.detection.data.y).setConstant(7);
-    for (const departure& d : departuresOf(e, w(w.bounds.mean), worldSettings()))
+    const std::vector<departure> all(departuresOf(e, w(w.bounds.mean), worldSettings()));
+    ASSERT_EQ(all.size(), 4);
+    for (const departure& d : all)
     {
         EXPECT_EQ(d.recorded.has_value(), d.channel != "P2");
         EXPECT_TRUE(d.simulated.has_value());

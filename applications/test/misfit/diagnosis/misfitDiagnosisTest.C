@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whole diagnoses of a surge in closed form, whose truth has other formulas
-// than the library: the verdict and what it says.
+// than the library: the verdict and its words.
 
 #include "report.H"
 #include "testNumber.H"
@@ -137,19 +137,20 @@ TEST(misfitDiagnosis, aNamedEffectIsLocatedWithoutMostOfTheNoise)
 }
 
 
-TEST(misfitDiagnosis, theStateThatIsNamedIsTold)
+TEST(misfitDiagnosis, theStateThatIsNamedIsReported)
 {
     worldSampler s(truth(0, 0.7), 200, vec());
     const finding f(diagnose(s));
     ASSERT_TRUE(f.verdict.state);
     EXPECT_NEAR
     (
-        f.verdict.state->strengths[world::mechanism(0)], f.verdict.strengths[0].value, 1e-9
+        f.verdict.state->strengths[world::mechanism(0)],
+        f.verdict.strengths[0].value, 1e-9
     );
 }
 
 
-TEST(misfitDiagnosis, sensorsAloneCanBeAskedAfter)
+TEST(misfitDiagnosis, sensorsAloneCanBeExamined)
 {
     settings set(worldSettings());
     set.parameters.clear();
@@ -164,7 +165,7 @@ TEST(misfitDiagnosis, sensorsAloneCanBeAskedAfter)
 }
 
 
-TEST(misfitDiagnosis, whatTheseChannelsCannotTellApartIsASet)
+TEST(misfitDiagnosis, whatTheseChannelsCannotSeparateIsASet)
 {
     for (const bool confirmed : {true, false})
     {
@@ -181,7 +182,7 @@ TEST(misfitDiagnosis, whatTheseChannelsCannotTellApartIsASet)
 }
 
 
-TEST(misfitDiagnosis, strengthsOfASetAreToldWithWhatWasFitted)
+TEST(misfitDiagnosis, strengthsOfASetAreReportedWithWhatWasFitted)
 {
     worldSampler s(truth(0, 0.7), 200, vec());
     s.makeTwins();
@@ -197,7 +198,7 @@ TEST(misfitDiagnosis, strengthsOfASetAreToldWithWhatWasFitted)
 }
 
 
-TEST(misfitDiagnosis, aSetSaysWhatActsTogether)
+TEST(misfitDiagnosis, aSetStatesWhatActsTogether)
 {
     vec x(truth(0, 0.7));
     x[2 + 2] = 0.7;
@@ -227,7 +228,8 @@ TEST(misfitDiagnosis, theSimplerOneIsNotCalledTheBest)
     {
         return a.probability < b.probability;
     };
-    const hypothesisFit& likeliest = *std::max_element(all.begin(), all.end(), lessLikely);
+    const hypothesisFit& likeliest =
+        *std::max_element(all.begin(), all.end(), lessLikely);
     EXPECT_NE(likeliest.what.mechanisms, std::vector<int>{0});
     EXPECT_NE
     (

@@ -118,12 +118,12 @@ TEST(misfitEmulator, anotherReplicateIsTheDifferenceThatTheEnsembleHasOfIt)
     emulatedPredictor emulate(emulator());
     const runState s(at(0.7, 0.4));
     const scalar first = truth(s).channels[0](0.5);
-    const auto given = [&](const label replicate)
+    const auto computed = [&](const label replicate)
     {
         return emulate.predict({replicated(s, replicate)})[0].channels[0](0.5);
     };
-    EXPECT_NEAR(given(2), first + 0.2, 1e-9);
-    EXPECT_NEAR(given(1), first, 1e-9) << "a replicate that it has not";
+    EXPECT_NEAR(computed(2), first + 0.2, 1e-9);
+    EXPECT_NEAR(computed(1), first, 1e-9) << "a replicate that it has not";
     EXPECT_NEAR
     (
         emulate.predict({replicated(at(0.7, 0.4, "mesh"), 2)})[0].channels[0](0.5),

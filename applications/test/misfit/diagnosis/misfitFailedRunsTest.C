@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a diagnosis makes of runs in which the solver fails or says otherwise.
+// What a diagnosis makes of runs in which the solver fails or differs from the surface.
 
 #include "worldDiagnosis.H"
 
@@ -66,7 +66,7 @@ TEST(misfitFailedRuns, whatTheSolverRefutesGivesWayToTheNextBest)
 }
 
 
-TEST(misfitFailedRuns, aFailedResolutionStopsItAndAFailedReplicateIsTold)
+TEST(misfitFailedRuns, aFailedResolutionStopsItAndAFailedReplicateIsReported)
 {
     settings set(worldSettings());
     set.resolutions = {"mesh"};
@@ -120,7 +120,10 @@ TEST(misfitFailedRuns, ofSeveralRunsWithAnotherMeshOneMayFail)
     s.failReplicate(2);
     const finding f(diagnose(s, set));
     ASSERT_EQ(f.failedRuns.size(), 4);
-    EXPECT_NE(describe(f.failedRuns[1]).find("replicate 2, other mesh"), std::string::npos);
+    EXPECT_NE
+    (
+        describe(f.failedRuns[1]).find("replicate 2, other mesh"), std::string::npos
+    );
 }
 
 
@@ -142,5 +145,8 @@ TEST(misfitFailedRuns, aCandidateThatCrashesTheSolverDropsOut)
     EXPECT_EQ(f.verdict.kind, verdictKind::named);
     ASSERT_EQ(f.candidates.dropped.size(), 1);
     EXPECT_EQ(f.candidates.dropped[0].name, "gate");
-    EXPECT_NE(describe(f.candidates.dropped[0]).find("floating point"), std::string::npos);
+    EXPECT_NE
+    (
+        describe(f.candidates.dropped[0]).find("floating point"), std::string::npos
+    );
 }

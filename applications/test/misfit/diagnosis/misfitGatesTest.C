@@ -37,7 +37,7 @@ TEST(misfitGates, aSensorIsNotBlamedWhereOthersPartTooThatItDoesNotMove)
 }
 
 
-TEST(misfitGates, whatGainsTooLittleIsNotSaid)
+TEST(misfitGates, whatGainsTooLittleIsNotStated)
 {
     settings set(worldSettings());
     set.evidence = 1e4;
@@ -135,7 +135,7 @@ TEST(misfitGates, aParameterAtItsBoundIsUncertainInAnotherExperimentToo)
 }
 
 
-TEST(misfitGates, theLeadIsThatOfTheBestThatSaysTheSame)
+TEST(misfitGates, theLeadIsThatOfTheBestThatStatesTheSame)
 {
     // The second one is too weak to be named
     vec x(truth(0, 0.7));
@@ -224,7 +224,7 @@ TEST(misfitGates, whereTooMuchIsLeftThereIsMoreToItWhichCountsForTheConfidence)
 }
 
 
-TEST(misfitGates, oneThatWasNeverAskedHasNotPassed)
+TEST(misfitGates, oneThatWasNeverEvaluatedHasNotPassed)
 {
     gateList gates;
     gates.addNothing(gateKind::degradesHeldOut);

@@ -26,7 +26,7 @@ TEST(misfitHeldOutGates, eachHeldOutExperimentMustConfirmIt)
 }
 
 
-TEST(misfitHeldOutGates, withoutHeldOutDataItIsSaidThatNothingConfirmsIt)
+TEST(misfitHeldOutGates, withoutHeldOutDataItIsStatedThatNothingConfirmsIt)
 {
     worldSampler s(truth(0, 0.7), 200, vec());
     s.holdNothingOut();
@@ -42,7 +42,7 @@ TEST(misfitHeldOutGates, withoutHeldOutDataItIsSaidThatNothingConfirmsIt)
 }
 
 
-TEST(misfitHeldOutGates, whatIsNotMatchedYetIsSaid)
+TEST(misfitHeldOutGates, whatIsNotMatchedYetIsStated)
 {
     // A front that another formula slows: a third of the held-out misfit goes
     worldSampler s(truth(1, 0.8), 3060, vec());
@@ -182,7 +182,7 @@ TEST(misfitHeldOutGates, whatAFinerMeshChangesInAnExperimentMustBeKnownThere)
 }
 
 
-TEST(misfitHeldOutGates, whereOnlyHeldOutDataPartItIsNotSaidThatNothingIsMissing)
+TEST(misfitHeldOutGates, whereOnlyHeldOutDataPartItIsNotStatedThatNothingIsMissing)
 {
     world w(20);
     worldSampler s(truth(-1, 0), 100, vec());
@@ -211,7 +211,7 @@ TEST(misfitHeldOutGates, chanceOfASquareIsThatOfItsDistribution)
 }
 
 
-TEST(misfitHeldOutGates, nothingIsNotSaidWhereHeldOutDataPartToo)
+TEST(misfitHeldOutGates, nothingIsNotStatedWhereHeldOutDataPartToo)
 {
     settings set(worldSettings());
     set.evidence = 1e4;

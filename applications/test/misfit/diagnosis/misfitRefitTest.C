@@ -69,7 +69,8 @@ public:
     }
 };
 
-//- Explanations of a world that lacks the first mechanism, and how many runs the refit took
+//- Explanations of a world that lacks the first mechanism, and how many runs the refit
+//  took
 struct rankedWorld
 {
     worldSampler solver;
@@ -167,7 +168,7 @@ TEST(misfitRefit, whatGoesToAndFroTurnsBackAndEndsWhereItWasComputed)
     const evaluation s(steepSolver(3).from(1));
     EXPECT_LT(mag(s.variables[0]), 0.3);
     EXPECT_EQ(s.best.fit.x[0], s.variables[0]);
-    EXPECT_EQ(s.given.calibration[0], 3*s.variables[0]);
+    EXPECT_EQ(s.computed.calibration[0], 3*s.variables[0]);
     EXPECT_NEAR(s.best.score, sqr(3*s.variables[0]), 1e-12);
 }
 
@@ -177,11 +178,11 @@ TEST(misfitRefit, whereTheSolverFailsOnTheWayHalfOfItIsTried)
     const evaluation s(steepSolver(1.8, -0.6).from(1));
     EXPECT_TRUE(s.failure.empty());
     EXPECT_LT(mag(s.variables[0]), 0.3);
-    EXPECT_TRUE(s.given.ok());
+    EXPECT_TRUE(s.computed.ok());
 }
 
 
-TEST(misfitRefit, whereTheSolverFailsAtOnceTheFitStaysAndSaysWhy)
+TEST(misfitRefit, whereTheSolverFailsAtOnceTheFitStaysAndStatesWhy)
 {
     const evaluation s(steepSolver(1, 2).from(1));
     EXPECT_EQ(s.failure, "below the limit");

@@ -20,7 +20,7 @@ vec trueP1()
 }
 
 
-//- What a diagnosis says where P1 should have shown trueP1() and showed this, plus noise
+//- The diagnosis where P1 should have shown trueP1() and showed this, plus noise
 finding diagnosed(const vec& shown)
 {
     const world w(20);
@@ -112,7 +112,7 @@ TEST(misfitSensorFault, oneThatShowsNothingAboveAValueIsSaturated)
 }
 
 
-TEST(misfitSensorFault, theOthersAreStillTold)
+TEST(misfitSensorFault, theOthersAreStillReported)
 {
     const vec f = trueP1();
     expectP1(diagnosed(1.3*f), verdictKind::sensor, faultKind::gain);
@@ -199,7 +199,7 @@ TEST(misfitSensorFault, besideSomethingUnknownAnExchangeMustGainByItself)
 
 TEST(misfitSensorFault, anExchangeIsNotNamedWhereRivalsDisagreeAboutThePartner)
 {
-    // P1 shows what P2 and P2b should; both are too uncertain to say which of them
+    // P1 shows what P2 and P2b should; both are too uncertain to show which of them
     // shows what P1 should
     const world w(20);
     const vec right = w(truth(-1, 0), 1);
@@ -218,7 +218,7 @@ TEST(misfitSensorFault, anExchangeIsNotNamedWhereRivalsDisagreeAboutThePartner)
 }
 
 
-TEST(misfitSensorFault, faultsOfOneChannelSayTheSameButAnExchangeHasAPartner)
+TEST(misfitSensorFault, faultsOfOneChannelStateTheSameButAnExchangeHasAPartner)
 {
     const stacked data(world(20).data);
     const auto swapped(possibleFaults(data, {faultKind::swapped}));
@@ -262,7 +262,7 @@ TEST(misfitSensorFault, nothingHasNoUnitAndWhatMovesIsNotDead)
 }
 
 
-TEST(misfitSensorFault, whatItShowedIsToldInThreeDigits)
+TEST(misfitSensorFault, whatItShowedIsReportedInThreeDigits)
 {
     world w(20);
     w.data.y.setZero();
@@ -277,11 +277,14 @@ TEST(misfitSensorFault, whatItShowedIsToldInThreeDigits)
         "P1 shows 2000 Pa throughout, whatever happens: it is dead or stuck"
     );
     EXPECT_NE(describe(dead, at, vec::Constant(1, -0.008)).find(" 0 Pa"), string::npos);
-    EXPECT_NE(describe(dead, at, vec::Constant(1, 12345.)).find(" 12300 Pa"), string::npos);
+    EXPECT_NE
+    (
+        describe(dead, at, vec::Constant(1, 12345.)).find(" 12300 Pa"), string::npos
+    );
 }
 
 
-TEST(misfitSensorFault, itCanBeToldWhenWhatWasRecordedIsGone)
+TEST(misfitSensorFault, itCanBeReportedWhenWhatWasRecordedIsGone)
 {
     stacked data(world(20).data);
     data.y.setOnes();

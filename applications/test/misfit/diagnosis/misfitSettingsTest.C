@@ -30,7 +30,7 @@ bool isNamed(const std::string& entries, const std::string& present)
 } // End anonymous namespace
 
 
-TEST(misfitSettings, aFormerKeywordIsAnErrorThatSaysThePresentOne)
+TEST(misfitSettings, aFormerKeywordIsAnErrorThatNamesThePresentOne)
 {
     EXPECT_TRUE(isNamed("trigger 0.01;", "clockUncertainty"));
     EXPECT_TRUE(isNamed("packing ();", "replicateChanges"));
@@ -80,7 +80,8 @@ TEST(misfitSettings, aParameterIsKnownAsWellAsItWasMeasured)
             (
                 IStringStream
                 (
-                    "parameters { slope { mean 1; deviation 0.5; bounds (0 3); " + measured
+                    "parameters { slope { mean 1; deviation 0.5; bounds (0 3); "
+                  + measured
                   + " changes ({ file g; entry along; }); } }"
                 )()
             )
@@ -111,7 +112,8 @@ TEST(misfitSettings, chaosNeedsReplicatesToBeKnown)
     expectHolds(refusalOf("chaotic yes; replicates 12;"), "give replicateChanges");
     expectHolds
     (
-        refusalOf("chaotic yes; replicateChanges (); replicates 2;"), "3 replicates or more"
+        refusalOf("chaotic yes; replicateChanges (); replicates 2;"),
+        "3 replicates or more"
     );
     EXPECT_EQ(refusalOf("chaotic yes; replicateChanges (); replicates 3;"), "nothing");
 }
@@ -127,7 +129,7 @@ TEST(misfitSettings, anotherMeshHasReplicatesOnlyWhereRunsDifferByChance)
 }
 
 
-TEST(misfitSettings, replicatesThatDoNothingOrTellNoSpreadAreWarnedOf)
+TEST(misfitSettings, replicatesThatDoNothingOrHaveNoSpreadAreWarnedOf)
 {
     const auto output = [](const std::string& entries)
     {

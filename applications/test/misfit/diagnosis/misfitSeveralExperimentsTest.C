@@ -59,13 +59,13 @@ public:
 
     List<prediction> predict(const List<runState>& states) override
     {
-        List<prediction> given(states.size());
+        List<prediction> results(states.size());
         forAll(states, i)
         {
             const runState& s = states[i];
             ran.append(s.experiment);
-            given[i].failure = s.experiment == failing ? "no luck" : "";
-            given[i].channels.setSize(all_.channels().size());
+            results[i].failure = s.experiment == failing ? "no luck" : "";
+            results[i].channels.setSize(all_.channels().size());
             const scalar first = s.strengths.lookup("first", 0);
             const scalar second = s.strengths.lookup("second", 0);
             forAll(all_.channels(), c)
@@ -75,11 +75,11 @@ public:
                 {
                     const scalar sign = its.experiment == "A" ? 1 : -1;
                     const scalar y = (1 + 0.1*c)*(first + sign*second);
-                    given[i].channels[c] = series({0.0}, {y});
+                    results[i].channels[c] = series({0.0}, {y});
                 }
             }
         }
-        return given;
+        return results;
     }
 };
 
@@ -143,11 +143,11 @@ TEST(misfitSeveralExperiments, aStateRunsInEachAndGivesTheSamplesOfAll)
     runState s;
     s.experiment = "A+B";
     s.strengths.set("second", 1);
-    const samples given(simulation({s}).first());
+    const samples computed(simulation({s}).first());
     EXPECT_EQ(solver.ran, wordList({"A", "B"}));
-    ASSERT_EQ(given.calibration.size(), 8);
-    EXPECT_DOUBLE_EQ(given.calibration[0], 1);
-    EXPECT_DOUBLE_EQ(given.calibration[4], -1.4);
+    ASSERT_EQ(computed.calibration.size(), 8);
+    EXPECT_DOUBLE_EQ(computed.calibration[0], 1);
+    EXPECT_DOUBLE_EQ(computed.calibration[4], -1.4);
 }
 
 
@@ -165,7 +165,7 @@ TEST(misfitSeveralExperiments, whatFailsInOneFailsAndIsNamed)
 }
 
 
-TEST(misfitSeveralExperiments, whatOneCannotTellApartIsNamedByBoth)
+TEST(misfitSeveralExperiments, whatOneCannotSeparateIsNamedByBoth)
 {
     const recordings all(readAll(threeExperiments));
     contrary solver(all);

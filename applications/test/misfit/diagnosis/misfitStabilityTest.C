@@ -78,7 +78,7 @@ TEST(misfitStability, whatWinsWithoutAChannelIsInTheSet)
 }
 
 
-TEST(misfitStability, thatASetHangsOnAChannelCountsAgainstIt)
+TEST(misfitStability, thatASetDependsOnAChannelCountsAgainstIt)
 {
     const finding f(ofTwoGauges(4, 0, false, true));
     EXPECT_EQ(f.verdict.kind, verdictKind::set);
@@ -88,7 +88,7 @@ TEST(misfitStability, thatASetHangsOnAChannelCountsAgainstIt)
 }
 
 
-TEST(misfitStability, aSetThatHangsOnAChannelSaysWhereBothAtOnceAreAsGood)
+TEST(misfitStability, aSetThatDependsOnAChannelStatesWhereBothAtOnceAreAsGood)
 {
     const finding both(ofTwoGauges(0, 1, false));
     const finding one(ofTwoGauges(4, 0, false));
@@ -101,7 +101,7 @@ TEST(misfitStability, aSetThatHangsOnAChannelSaysWhereBothAtOnceAreAsGood)
 }
 
 
-TEST(misfitStability, aSetThatHangsOnAChannelBesidesStillSaysWhatToMeasure)
+TEST(misfitStability, aSetThatDependsOnAChannelBesidesStillStatesWhatToMeasure)
 {
     const finding f(ofTwoGauges(4, 0, true));
     ASSERT_EQ(f.verdict.kind, verdictKind::set);

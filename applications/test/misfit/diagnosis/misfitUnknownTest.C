@@ -23,7 +23,7 @@ HashTable<scalar> dragLaw(const scalar constant, const scalar slope)
     HashTable<scalar> values;
     for (const correctionElement& e : elements())
     {
-        if (e.family == "drag")
+        if (e.family == elementFamily::drag)
         {
             values.insert(e.name, constant + slope*std::log(e.Reynolds/100));
         }
@@ -69,7 +69,7 @@ finding diagnosed(correctedWorld& w, const settings& set = poorSettings())
 TEST(misfitUnknown, aPushFollowsNumbersOfTheWaterThatTheCaseHas)
 {
     List<correctionElement> one(1, elements().first());
-    ASSERT_EQ(one[0].family, "push");
+    ASSERT_EQ(one[0].family, elementFamily::push);
     HashTable<conditions> met;
     met.insert(one[0].name, {-2, 0.1, 0.6, 1200, 0.05, 3});
 
@@ -79,17 +79,17 @@ TEST(misfitUnknown, aPushFollowsNumbersOfTheWaterThatTheCaseHas)
         -3600, -3600*4/0.3, -3600*0.05*2/0.03, -3600*0.4
     });
     dimensionlessLaw law;
-    law.family = "push";
+    law.family = elementFamily::push;
     law.functions = identity(4);
-    const mat given(combinationOf(law, one, met));
+    const mat computed(combinationOf(law, one, met));
     forAll(expected, i)
     {
-        EXPECT_NEAR(given(0, i)/expected[i], 1, 1e-12) << i;
+        EXPECT_NEAR(computed(0, i)/expected[i], 1, 1e-12) << i;
     }
 
     // What is not known has no laws
     met.set(one[0].name, {-2, 0.1, 0.6});
-    EXPECT_TRUE(lawsOf("push", one, met).empty());
+    EXPECT_TRUE(lawsOf(elementFamily::push, one, met).empty());
 }
 
 
@@ -146,7 +146,7 @@ TEST(misfitUnknown, aPushThatNoCandidateIsIsFoundInItsPlace)
 }
 
 
-TEST(misfitUnknown, whereTheSolverFailsWithTheFittedPushThatOfTheSurfaceIsTold)
+TEST(misfitUnknown, whereTheSolverFailsWithTheFittedPushThatOfTheSurfaceIsReported)
 {
     HashTable<scalar> truth;
     truth.insert("push2_2", -45);
@@ -206,14 +206,14 @@ TEST(misfitUnknown, aLawIsNoSurerThanTheLimitOfWhatIsNotCalibrated)
         const finding f(diagnosed(w, set));
         ASSERT_EQ(f.verdict.kind, verdictKind::named);
 
-        // Its lead alone would say more
+        // Its lead alone would give more
         EXPECT_GT(f.correction.laws.first().lead, 6);
         EXPECT_EQ(f.verdict.confidence, limit);
     }
 }
 
 
-TEST(misfitUnknown, aLawWithWhichTheSolverFailsIsToldAndNoOtherIsNamed)
+TEST(misfitUnknown, aLawWithWhichTheSolverFailsIsReportedAndNoOtherIsNamed)
 {
     const HashTable<scalar> truth(dragLaw(0, 0.2));
     correctedWorld w(truth, truth, 600);
@@ -276,7 +276,7 @@ TEST(misfitUnknown, aLawIsNotNamedWhereTheOtherExperimentGivesNoSamplesWithIt)
 }
 
 
-TEST(misfitUnknown, whatIsLeftMayBeAsMuchAsTheLimitWhereverItIsAsked)
+TEST(misfitUnknown, whatIsLeftMayBeAsMuchAsTheLimitWhereverItIsEvaluated)
 {
     settings set(poorSettings());
     set.leftIfConfirmed = 0;

@@ -44,7 +44,7 @@ TEST(misfitObservers, commasMayStandBetweenTheNumbersOfATable)
 }
 
 
-TEST(misfitObservers, aRowThatIsShorterThanItsHeadingIsToldByItsLine)
+TEST(misfitObservers, aRowThatIsShorterThanItsHeadingIsReportedByItsLine)
 {
     expectHolds
     (
@@ -220,7 +220,7 @@ TEST(misfitObservers, aProfileIsTheShareOfWaterInEachColumnOfCellsTimesTheHeight
 }
 
 
-TEST(misfitObservers, whatAnyRunCannotHaveIsToldBeforeTheFirst)
+TEST(misfitObservers, whatAnyRunCannotHaveIsReportedBeforeTheFirst)
 {
     const fakeCase c;
     const fileName runs(c.folder()/"misfit"/"runs");
@@ -248,7 +248,7 @@ TEST(misfitObservers, whatAnyRunCannotHaveIsToldBeforeTheFirst)
 }
 
 
-TEST(misfitObservers, aCaseThatEndsBeforeItsRecordingIsToldOfBeforeTheFirst)
+TEST(misfitObservers, aCaseThatEndsBeforeItsRecordingIsReportedBeforeTheFirst)
 {
     const fakeCase c;
     c.write("system/controlDict", "#include \"more\"\nendTime 1.5;\n");
@@ -289,7 +289,7 @@ TEST(misfitObservers, aCaseThatEndsBeforeItsRecordingIsToldOfBeforeTheFirst)
 }
 
 
-TEST(misfitObservers, otherWaterInAnotherMeshIsToldOfOnce)
+TEST(misfitObservers, otherWaterInAnotherMeshIsReportedOnce)
 {
     const fakeCase c;
     c.write

@@ -40,7 +40,7 @@ std::string outputBefore
 } // End anonymous namespace
 
 
-TEST(misfitTables, aFunctionObjectThatIsNotThereIsTold)
+TEST(misfitTables, aFunctionObjectThatIsNotThereIsReported)
 {
     const fakeCase c;
     const std::string output(outputBefore(c, "", "outs { type x; } moved { type y; }"));
@@ -56,7 +56,7 @@ TEST(misfitTables, aFunctionObjectThatIsNotThereIsTold)
 }
 
 
-TEST(misfitTables, aTimeAtWhichNothingIsWrittenIsTold)
+TEST(misfitTables, aTimeAtWhichNothingIsWrittenIsReported)
 {
     const fakeCase c;
     c.write("r.csv", "x_m,y_m\n0,0\n1,2\n2,4\n");
@@ -117,7 +117,10 @@ TEST(misfitTables, aHeightThatIsMoreThanTheMeshIsRefused)
         return refusal([&](){ checkPlaces(m.mesh(), {observer(c)}, "A"); });
     };
     EXPECT_EQ(profile("1"), "nothing");
-    expectHolds(profile("400"), "S1 has the height 400 m, more than the diagonal of the mesh");
+    expectHolds
+    (
+        profile("400"), "S1 has the height 400 m, more than the diagonal of the mesh"
+    );
 }
 
 

@@ -72,7 +72,7 @@ TEST(misfitChannel, whatStandsForNotRecordedIsRefusedWithItsLine)
 }
 
 
-TEST(misfitChannel, commasInNumbersAndOtherCodingsAreTold)
+TEST(misfitChannel, commasInNumbersAndOtherCodingsAreReported)
 {
     const std::string points("Write points, not commas");
     expectHolds(refusalOf("t_s,p_Pa\n0,0,1,0\n1,0,2,0\n"), points);
@@ -87,7 +87,7 @@ TEST(misfitChannel, commasInNumbersAndOtherCodingsAreTold)
 }
 
 
-TEST(misfitChannel, timesThatCountFromElsewhereAreToldInFull)
+TEST(misfitChannel, timesThatCountFromElsewhereAreReportedInFull)
 {
     const std::string output
     (
@@ -102,7 +102,7 @@ TEST(misfitChannel, timesThatCountFromElsewhereAreToldInFull)
 }
 
 
-TEST(misfitChannel, aFileNameWithABlankIsToldAsSuch)
+TEST(misfitChannel, aFileNameWithABlankIsReportedAsSuch)
 {
     const std::string output(refusalOf("", "file \"run 1/S1.csv\";"));
     expectHolds(output, "run 1/S1.csv");

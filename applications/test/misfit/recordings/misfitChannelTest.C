@@ -262,7 +262,7 @@ TEST(misfitChannel, theQuietTimeBeforeTheArrivalShowsTheNoise)
 }
 
 
-TEST(misfitChannel, aSensorThatShowsNoChangeIsToldOf)
+TEST(misfitChannel, aSensorThatShowsNoChangeIsReported)
 {
     // The uncertainty is 2
     const auto output = [](const std::string& numbers)
@@ -281,7 +281,7 @@ TEST(misfitChannel, aSensorThatShowsNoChangeIsToldOf)
 }
 
 
-TEST(misfitChannel, listsAreToldInPlainWords)
+TEST(misfitChannel, listsAreReportedInPlainWords)
 {
     const std::string good("t_s,p_Pa\n0,1\n1,2\n2,3\n");
     expectHolds(refusalOf("t,p_Pa\n0,1\n1,2\n2,3\n"), "Units of time: h min ms s");
@@ -292,5 +292,8 @@ TEST(misfitChannel, listsAreToldInPlainWords)
         refusalOf(good, "file \"S1.csv\"; column q;"),
         "Its columns: \"t_s\" \"p_Pa\""
     );
-    expectHolds(refusalOf("t_s\n0\n1\n"), "no column \"2\", counted from 1. Its columns: \"t_s\"");
+    expectHolds
+    (
+        refusalOf("t_s\n0\n1\n"), "no column \"2\", counted from 1. Its columns: \"t_s\""
+    );
 }

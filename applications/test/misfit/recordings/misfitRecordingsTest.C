@@ -197,7 +197,7 @@ TEST(misfitRecordings, twoSensorsThatStayDryAreNotTakenForACopy)
 }
 
 
-TEST(misfitRecordings, theSameDataFittedTwiceAreToldOf)
+TEST(misfitRecordings, theSameDataFittedTwiceAreReported)
 {
     const std::string same("t_s,p_Pa\n0,1\n1,2\n2,4\n");
     const twoFiles f(twoChannels, same, same);

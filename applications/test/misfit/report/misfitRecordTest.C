@@ -172,7 +172,7 @@ TEST(misfitRecord, aNumberInASentenceHasNoExponent)
 }
 
 
-TEST(misfitRecord, theTerminalSaysOfWhatTheConfidenceIs)
+TEST(misfitRecord, theTerminalStatesOfWhatTheConfidenceIs)
 {
     finding f(found());
     f.verdict.kind = verdictKind::registration;

@@ -76,7 +76,7 @@ TEST(misfitReport, oneFileHoldsWordsAndPictures)
 }
 
 
-TEST(misfitReport, theTopSaysWhichCaseWhenAndWhatWasRecorded)
+TEST(misfitReport, theTopStatesWhichCaseWhenAndWhatWasRecorded)
 {
     const std::string page(reportHtml(found(), today(), {}));
     EXPECT_TRUE(contains(page, "<h1>Simulation against recordings: a case</h1>"));
@@ -92,7 +92,7 @@ TEST(misfitReport, theTopSaysWhichCaseWhenAndWhatWasRecorded)
 }
 
 
-TEST(misfitReport, aCandidateIsToldByItsTitleAndWhatItSets)
+TEST(misfitReport, aCandidateIsReportedByItsTitleAndWhatItSets)
 {
     EXPECT_TRUE
     (
@@ -118,7 +118,7 @@ TEST(misfitReport, aCandidateIsToldByItsTitleAndWhatItSets)
 }
 
 
-TEST(misfitReport, theConfidenceSaysOfWhat)
+TEST(misfitReport, theConfidenceStatesOfWhat)
 {
     finding f(found());
     EXPECT_TRUE
@@ -127,9 +127,9 @@ TEST(misfitReport, theConfidenceSaysOfWhat)
         (
             box(f),
             "Confidence 90 % that this is at least part of what is missing, the"
-            " fraction of such verdicts that were right in cases whose cause was known. The"
-            " cases of etc/misfit/confidence are water without grains: for a case with"
-            " grains the confidence is not calibrated."
+            " fraction of such verdicts that were right in cases whose cause was known."
+            " The cases of etc/misfit/confidence are water without grains: for a case"
+            " with grains the confidence is not calibrated."
         )
     );
     finding uncounted(f);
@@ -160,7 +160,7 @@ TEST(misfitReport, theConfidenceSaysOfWhat)
 }
 
 
-TEST(misfitReport, theTopSaysWhatWasNotScored)
+TEST(misfitReport, theTopStatesWhatWasNotScored)
 {
     finding f(found());
     EXPECT_FALSE(contains(box(f), "Not scored"));
@@ -185,7 +185,7 @@ TEST(misfitReport, theTopSaysWhatWasNotScored)
 }
 
 
-TEST(misfitReport, aGateThatCouldNotBeAskedIsToldFromOneWithNothingToAsk)
+TEST(misfitReport, aGateThatCouldNotBeEvaluatedDiffersFromOneWithNothingToEvaluate)
 {
     finding f(found());
     f.tests.gates = gateList();
@@ -234,7 +234,11 @@ TEST(misfitReport, noNumberIsTooLargeToRead)
     expectHolds(describe(f), "mean square more than 100000");
     expectLacks(describe(f), "e+");
     expectHolds(describe(f), "1230000");
-    expectLacks(describe(droppedCandidate{"a", droppedCandidate::reason::small, "", 0.1, 1e20}), "e+");
+    expectLacks
+    (
+        describe(droppedCandidate{"a", droppedCandidate::reason::small, "", 0.1, 1e20}),
+        "e+"
+    );
     gate wide(gateKind::evidence, 12345, 10);
     expectHolds(gateWords(wide, f).dump(), "12300");
     EXPECT_TRUE(contains(page, "less than -1000 %"));

@@ -76,7 +76,10 @@ TEST(misfitChanges, allKindsOfEntriesStayBesideOneThatIsChanged)
     for (const std::string& one : kept)
     {
         const size_t at = one.find_first_of("#$(");
-        expectHolds(after, one.substr(at, one.size() - at - 1 - (one[at] == '(' ? 1 : 0)));
+        expectHolds
+        (
+            after, one.substr(at, one.size() - at - 1 - (one[at] == '(' ? 1 : 0))
+        );
     }
     for
     (
@@ -105,7 +108,10 @@ TEST(misfitChanges, allKindsOfEntriesStayBesideOneThatIsChanged)
 TEST(misfitChanges, whatIsComputedInBracesIsComputedAfterAChange)
 {
     const fakeCase c;
-    c.write("system/all", "level 2; twice #eval{ 2*$level }; list (1 #eval{ $level + 1 });\n");
+    c.write
+    (
+        "system/all", "level 2; twice #eval{ 2*$level }; list (1 #eval{ $level + 1 });\n"
+    );
     change("file \"system/all\"; entry level;").apply(c.folder(), 5);
     IFstream is(c.folder()/"system/all");
     const dictionary dict(is);

@@ -69,7 +69,7 @@ std::string errorOf(const string& text)
 } // End anonymous namespace
 
 
-TEST(misfitCorrection, thatIsNotAskedForHasNoElementsAndChangesNothing)
+TEST(misfitCorrection, thatIsNotRequestedHasNoElementsAndChangesNothing)
 {
     const correction none(entries("ranks 1;"));
     EXPECT_TRUE(none.elements().empty());
@@ -164,7 +164,7 @@ TEST(misfitCorrection, readsWhatWaterWasMet)
 }
 
 
-TEST(misfitCorrection, badInputIsToldWithWhatToDo)
+TEST(misfitCorrection, badInputIsReportedWithWhatToDo)
 {
     expectHolds
     (

@@ -88,7 +88,10 @@ TEST(misfitKeptRuns, itIsGoneOnWithWhereItWasStopped)
     // Only the file is left
     rmDir(c.folder()/"misfit");
     fakeRuns more(c, slopes);
-    const std::string output(outputDuring([&]() { EXPECT_EQ(more.predictions().size(), 5); }));
+    const std::string output
+    (
+        outputDuring([&]() { EXPECT_EQ(more.predictions().size(), 5); })
+    );
     expectHolds(output, "runs.txt has 3 of 5 runs");
     expectHolds(output, "runs.txt has 5 of 5 runs");
     EXPECT_EQ(c.count(), 5);
@@ -106,7 +109,10 @@ TEST(misfitKeptRuns, eachBatchIsInTheFileBeforeTheNextBegins)
     fakeRuns runs(c, {1, 2, 3, 6, 4});
     const std::string output
     (
-        outputDuring([&]() { expectHolds(refusal([&]() { runs.predictions(); }), "misfit/runs"); })
+        outputDuring([&]()
+        {
+            expectHolds(refusal([&]() { runs.predictions(); }), "misfit/runs");
+        })
     );
     expectHolds(output, "has 2 of 5 runs, about 1 min for the 3 to do");
     EXPECT_EQ(runs.kept.read().size(), 2);
@@ -121,7 +127,10 @@ TEST(misfitKeptRuns, aRunThatWasKilledOrOutOfTimeIsNoFailure)
     fakeRuns late(slow, {1, 8, 2}, "as now", "timeLimit 2; ");
     for (fakeRuns* runs : {&few, &late})
     {
-        expectHolds(refusal([&]() { runs->predictions(labelMax, 3); }), "has those that ended");
+        expectHolds
+        (
+            refusal([&]() { runs->predictions(labelMax, 3); }), "has those that ended"
+        );
         EXPECT_EQ(runs->kept.read().size(), 2);
         expectLacks(runs->text(), "failed");
     }
@@ -149,7 +158,10 @@ TEST(misfitKeptRuns, runsOfOtherFormulasAreRefused)
 {
     const fakeCase c;
     fakeRuns(c, {1, 2, 3}).predictions(2);
-    expectHolds(refusal([&]() { fakeRuns(c, {1, 2}, "before").predictions(); }), "other formulas");
+    expectHolds
+    (
+        refusal([&]() { fakeRuns(c, {1, 2}, "before").predictions(); }), "other formulas"
+    );
     EXPECT_EQ(c.count(), 2);
 }
 

@@ -13,7 +13,7 @@ using namespace Foam;
 using namespace Foam::misfit;
 
 
-TEST(misfitRunEnds, aRunThatIsStoppedTellsThatItIsGoneOnWith)
+TEST(misfitRunEnds, aRunThatIsStoppedReportsThatItIsGoneOnWith)
 {
     const fakeCase c;
     mkDir(c.folder()/"one"/"case");
@@ -122,7 +122,7 @@ TEST(misfitRunEnds, whatWasStoppedFromOutsideIsTriedByEachCall)
 }
 
 
-TEST(misfitRunEnds, aSolverThatWasAskedToStopHasNoResult)
+TEST(misfitRunEnds, aSolverThatWasRequestedToStopHasNoResult)
 {
     const fakeCase c;
     EXPECT_FALSE(once(c, {withSlope(4)})[0].ok());

@@ -111,7 +111,10 @@ TEST(misfitRuns, aSpareDictionaryThatARunMayReadIsPartOfIt)
     EXPECT_EQ(runs("", "cat system/$1\n"), 2);
 
     // A folder in a variable, as $FOAM_CASE, hides no name
-    EXPECT_EQ(runs("cat system/fvSchemes", "#include \"$FOAM_CASE/constant/chute\"\n"), 1);
+    EXPECT_EQ
+    (
+        runs("cat system/fvSchemes", "#include \"$FOAM_CASE/constant/chute\"\n"), 1
+    );
 }
 
 
@@ -158,7 +161,7 @@ TEST(misfitRuns, whatCannotBeReadAsAFileIsNotCopied)
 }
 
 
-TEST(misfitRuns, aCaseIsCutAsItSaysItself)
+TEST(misfitRuns, aCaseIsCutAsItStatesItself)
 {
     // Without a mesh that is as far as it comes
     const std::string own("numberOfSubdomains 2; method scotch;\n");
@@ -210,11 +213,14 @@ TEST(misfitRuns, runsOfOtherProgramsAreNotUsedWithoutAWord)
 }
 
 
-TEST(misfitRuns, theTimeThatIsLeftIsThatOfTheseRunsAndNotToldAfterTheLast)
+TEST(misfitRuns, theTimeThatIsLeftIsThatOfTheseRunsAndNotReportedAfterTheLast)
 {
     const fakeCase c;
     fakePredictor solver(c, "jobs 1; ");
-    const std::string output(outputDuring([&]() { solver({withSlope(1), withSlope(2)}); }));
+    const std::string output
+    (
+        outputDuring([&]() { solver({withSlope(1), withSlope(2)}); })
+    );
     expectHolds(output, "1 of 2 runs, about 0 min");
     expectHolds(output, "s left for these\n");
     expectHolds(output, "2 of 2 runs\n");
@@ -251,7 +257,7 @@ TEST(misfitRuns, aCaseThatIsEditedMeanwhileIsNotRun)
 }
 
 
-TEST(misfitRuns, aScriptOutsideTheCaseThatChangedIsToldOf)
+TEST(misfitRuns, aScriptOutsideTheCaseThatChangedIsReported)
 {
     const fakeCase c;
     const auto output = [&](const std::string& words)

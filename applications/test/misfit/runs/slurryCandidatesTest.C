@@ -173,7 +173,7 @@ public:
 } // End anonymous namespace
 
 
-TEST(viscousSlurry, withoutStrengthItIsWaterAndWithOneAsViscousAsSaid)
+TEST(viscousSlurry, withoutStrengthItIsWaterAndWithOneAsViscousAsStated)
 {
     layer none(0.1, newtonian, viscousChange, 0);
     layer half(0.1, newtonian, viscousChange, 0.5);

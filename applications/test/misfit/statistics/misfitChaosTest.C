@@ -3,7 +3,7 @@
 // recording, and not as squares of the surface or as an error of the mesh.
 
 #include "misfitWorld.H"
-#include "elsewhere.H"
+#include "heldOutChance.H"
 
 #include <gtest/gtest.h>
 
@@ -124,7 +124,8 @@ TEST(misfitChaos, isCountedOnceForTheRecordingAndByItsLeverageForTheSurface)
     (
         std::hypot
         (
-            sizeOf(parts, "replicates", 0, all), sizeOf(parts, "between the runs", 0, all),
+            sizeOf(parts, "replicates", 0, all),
+            sizeOf(parts, "between the runs", 0, all),
             sizeOf(parts, "mesh", 0, all)
         ),
         2*expected
@@ -150,8 +151,8 @@ TEST(misfitChaos, isNoErrorOfTheMesh)
 
 TEST(misfitChaos, hidesWhatAnotherMeshChangesFromOneRunButNotFromSix)
 {
-    // What it changes is as large as chance is in one run; with the parametric part, which
-    // is twice as large, sqrt(5) of that is to be found
+    // What it changes is as large as chance is in one run; with the parametric part,
+    // which is twice as large, sqrt(5) of that is to be found
     const auto error = [](const label finerRuns)
     {
         scalar square = 0;
@@ -175,8 +176,8 @@ namespace
 {
 
 //- Of so many worlds that many in which held-out channels contradict a mechanism by more
-//  than chance does (0.05): they do not feel it, but for so many times what the runs, with
-//  its effect of a size on all of them, lead to expect
+//  than chance does (0.05): they do not feel it, but for so many times what the runs,
+//  with its effect of a size on all of them, lead to expect
 label contradicted(const scalar shown, const scalar effect, const label worlds)
 {
     label n = 0;

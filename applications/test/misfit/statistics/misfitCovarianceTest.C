@@ -105,7 +105,10 @@ TEST(misfitCovariance, whatEffectsHaveInCommonIsNotRaisedByChance)
         square += sqr(white.normInCommon(effects))/400;
     }
     EXPECT_NEAR(square, 50, 2);
-    EXPECT_EQ(white.normInCommon((mat(50, 2) << vec::Ones(50), -vec::Ones(50)).finished()), 0);
+    EXPECT_EQ
+    (
+        white.normInCommon((mat(50, 2) << vec::Ones(50), -vec::Ones(50)).finished()), 0
+    );
 }
 
 
@@ -149,7 +152,10 @@ TEST(misfitCovariance, ofRepeatedExperimentsNoiseAndChanceAreAShare)
     };
     const mat once = added(1, 1, true);
     const mat more = added(3, 1, true);
-    EXPECT_NEAR((added(3, 1, false).diagonal().head(5).array() - 0.4/3).abs().sum(), 0, 1e-12);
+    EXPECT_NEAR
+    (
+        (added(3, 1, false).diagonal().head(5).array() - 0.4/3).abs().sum(), 0, 1e-12
+    );
     EXPECT_NEAR((more.block(0, 0, 5, 5) - once.block(0, 0, 5, 5)*2/3).norm(), 0, 1e-12);
     EXPECT_NEAR((more.block(5, 5, 5, 5) - once.block(5, 5, 5, 5)).norm(), 0, 1e-12);
     EXPECT_NEAR((more.block(0, 5, 5, 5) - once.block(0, 5, 5, 5)*2/3).norm(), 0, 1e-12);
@@ -249,7 +255,7 @@ TEST(misfitCovariance, correlatedSamplesCountForLess)
 }
 
 
-TEST(misfitScan, falseAlarmsAreAsFewAsSaid)
+TEST(misfitScan, falseAlarmsAreAsFewAsStated)
 {
     const world w;
     const covariance c(w.data, 0);

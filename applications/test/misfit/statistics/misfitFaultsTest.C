@@ -46,8 +46,8 @@ TEST(misfitFaults, withoutSizeTheyChangeNothing)
         (
             w.data,
             {
-                faultKind::lag, faultKind::gain, faultKind::zero, faultKind::drift, faultKind::clock,
-                faultKind::clogged, faultKind::misplaced
+                faultKind::lag, faultKind::gain, faultKind::zero, faultKind::drift,
+                faultKind::clock, faultKind::clogged, faultKind::misplaced
             }
         )
     );
@@ -78,7 +78,7 @@ TEST(misfitFaults, aLagIsTheExactAnswerToARamp)
 }
 
 
-TEST(misfitFaults, theOthersDoWhatTheySay)
+TEST(misfitFaults, theOthersDoWhatTheyState)
 {
     world w;
     const segment& s = w.data.segments[0];
@@ -90,7 +90,10 @@ TEST(misfitFaults, theOthersDoWhatTheySay)
     EXPECT_NEAR(ofP1(w, faultKind::gain)(w.data, f, number(0.2))[10], 1.2*s.x[10], 1e-12);
     EXPECT_NEAR(ofP1(w, faultKind::zero)(w.data, f, number(3))[10], s.x[10] + 3, 1e-12);
     EXPECT_NEAR(ofP1(w, faultKind::drift)(w.data, f, number(3))[39], s.x[39] + 3, 1e-12);
-    EXPECT_NEAR(ofP1(w, faultKind::clock)(w.data, f, number(0.3))[20], s.x[20] - 0.3, 1e-9);
+    EXPECT_NEAR
+    (
+        ofP1(w, faultKind::clock)(w.data, f, number(0.3))[20], s.x[20] - 0.3, 1e-9
+    );
     EXPECT_NEAR(ofP1(w, faultKind::units, 10)(w.data, f, vec())[20], 10*s.x[20], 1e-9);
     EXPECT_NEAR
     (
@@ -200,8 +203,9 @@ TEST(misfitFaults, aNumberAloneHasNoTimeAndNoShape)
         (
             data,
             {
-                faultKind::lag, faultKind::gain, faultKind::zero, faultKind::drift, faultKind::clock,
-                faultKind::clogged, faultKind::swapped, faultKind::misplaced
+                faultKind::lag, faultKind::gain, faultKind::zero, faultKind::drift,
+                faultKind::clock, faultKind::clogged, faultKind::swapped,
+                faultKind::misplaced
             }
         )
     );

@@ -41,8 +41,9 @@ std::vector<hypothesisFit> explain
             (
                 w.data,
                 {
-                    faultKind::lag, faultKind::gain, faultKind::zero, faultKind::drift, faultKind::clock,
-                    faultKind::clogged, faultKind::swapped, faultKind::misplaced, faultKind::units
+                    faultKind::lag, faultKind::gain, faultKind::zero, faultKind::drift,
+                    faultKind::clock, faultKind::clogged, faultKind::swapped,
+                    faultKind::misplaced, faultKind::units
                 }
             ),
             true
@@ -221,7 +222,10 @@ TEST(misfitScoring, slopesOfAFaultyModelAreDifferences)
     world w(20);
     w.data.y = w(w.bounds.mean);
     const statistics::responseSurface surface(w.ensembleSurface(80, 2));
-    for (const sensorFault& fault : possibleFaults(w.data, {faultKind::lag, faultKind::clogged, faultKind::gain}))
+    const auto faults =
+        possibleFaults(w.data, {faultKind::lag, faultKind::clogged, faultKind::gain});
+    ASSERT_GE(faults.size(), 3);
+    for (const sensorFault& fault : faults)
     {
         hypothesis h;
         h.mechanisms = {0};

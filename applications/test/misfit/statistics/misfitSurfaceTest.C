@@ -102,7 +102,8 @@ TEST(misfitSurface, eachUnknownChangedAloneGivesItsQuadratic)
 
 TEST(misfitSurface, runsUnderOneValueOfAVariableAreNoneToSpareForItsMixedTerms)
 {
-    // 27 conditions with the same three parameters, and a few runs with others, each at three levels
+    // 27 conditions with the same three parameters, and a few runs with others, each at
+    // three levels
     std::mt19937 generator(7);
     std::uniform_real_distribution<scalar> any(-1, 1);
     const label nOld = 27;
@@ -228,7 +229,7 @@ TEST(misfitFit, withAPriorItIsTheClosedForm)
 
 TEST(misfitFit, variancesHaveAnyUnitsAndAFlatDirectionIsNotKnown)
 {
-    // A viscosity beside a density: the data say nothing of either
+    // A viscosity beside a density: the data determine neither
     straightLine l(threePoints());
     l.a.setZero();
     l.priorMean.setZero();
@@ -290,7 +291,7 @@ TEST(misfitFit, whatIsBeyondAllScoresIsAnError)
 }
 
 
-TEST(misfitFit, aBoundHoldsAndIsTold)
+TEST(misfitFit, aBoundHoldsAndIsReported)
 {
     straightLine l(threePoints());
     l.priorDeviation.setZero();

@@ -323,7 +323,7 @@ TEST(misfitTable, twoExchangedRowsAreFoundWhereTheIdentityIsSharp)
 }
 
 
-TEST(misfitTable, aRowIsToldByItsLineInTheFile)
+TEST(misfitTable, aRowIsReportedByItsLineInTheFile)
 {
     std::istringstream is("q,x\n1,1\n\n0,2\n");
     const statistics::textTable text(is);

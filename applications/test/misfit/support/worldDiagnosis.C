@@ -52,9 +52,9 @@ Foam::misfit::settings Foam::misfit::worldSettings()
     }
     s.faults =
     {
-        faultKind::lag, faultKind::gain, faultKind::zero, faultKind::drift, faultKind::clock,
-        faultKind::clogged, faultKind::swapped, faultKind::misplaced, faultKind::units,
-        faultKind::dead, faultKind::saturated
+        faultKind::lag, faultKind::gain, faultKind::zero, faultKind::drift,
+        faultKind::clock, faultKind::clogged, faultKind::swapped, faultKind::misplaced,
+        faultKind::units, faultKind::dead, faultKind::saturated
     };
     s.clockUncertainty = 0.005;
     s.draws = 500;

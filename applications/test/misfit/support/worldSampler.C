@@ -99,7 +99,7 @@ bool Foam::misfit::worldSampler::fails(const runState& state)
      || state.experiment == failingAlways_
      || state.replicate == failingReplicate_
      || (
-            failsFiner_ && state.resolution != "base"
+            failsFiner_ && !state.isBase()
          && (failsFinerIn_.empty() || failsFinerIn_ == state.experiment)
         )
      || (
@@ -119,7 +119,7 @@ Foam::misfit::samples Foam::misfit::worldSampler::run(const runState& state)
     }
     const vec f =
         (1 + replicateChanges_*state.replicate)
-       *(1 + (state.resolution == "base" ? 0 : finerChanges_))
+       *(1 + (state.isBase() ? 0 : finerChanges_))
        *drawn(state.experiment, state.replicate)
        *simulated(variables(state), state.experiment);
     if (state.experiment == "A")

@@ -240,8 +240,8 @@ void Foam::neighbourLists::build(int topoflag)
             skins_
         );
 
-        // How far a ghost may move its owner says, who sees what is near it and not
-        // here: at most this
+        // How far a ghost may move its owner decides, which has the grains near it
+        // that are not here: at most this
         std::fill(skins_.begin() + atom->nlocal, skins_.end(), 0.5*skin);
     }
 
@@ -329,13 +329,9 @@ void Foam::neighbourLists::remember
 }
 
 
-void Foam::neighbourLists::listGrains(LAMMPS_NS::NeighList* list)
+void Foam::neighbourLists::setGrid()
 {
-    // Meshes and others look into them
-    bin_atoms();
-
-    const int nLocal = atom->nlocal;
-    const int nAll = nLocal + atom->nghost;
+    const int nAll = atom->nlocal + atom->nghost;
 
     // A list may be wanted between two builds, with other ghosts
     skins_.resize(nAll, 0.5*skin);
@@ -345,6 +341,14 @@ void Foam::neighbourLists::listGrains(LAMMPS_NS::NeighList* list)
         reaches_[i] = atom->radius[i]*contactDistanceFactor + skins_[i];
     }
     grid_.set(nAll ? atom->x[0] : nullptr, reaches_.data(), nAll);
+}
+
+
+void Foam::neighbourLists::listGrains(LAMMPS_NS::NeighList* list)
+{
+    // Meshes and others need the bins
+    bin_atoms();
+    setGrid();
 
     list->ipage->reset();
     if (list->fix_history)
@@ -353,6 +357,7 @@ void Foam::neighbourLists::listGrains(LAMMPS_NS::NeighList* list)
         list->listgranhistory->dpage->reset();
     }
 
+    const int nLocal = atom->nlocal;
     for (int i = 0; i < nLocal; ++i)
     {
         const hierarchicalGrid::indices near = grid_.overlapsAbove(i);

@@ -118,7 +118,7 @@ void Foam::materialPointMethod::findRoom()
     }
     sumShared(grid_, sum);
 
-    // What little is in front of a wall at nodes behind it says nothing
+    // What little is in front of a wall at nodes behind it does not count
     const scalar least = 0.25*grid_.cubeVolume(grid_.h());
     room_.setSize(grid_.nNodes());
     forAll(room_, node)

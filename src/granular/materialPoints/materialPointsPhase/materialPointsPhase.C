@@ -5,6 +5,7 @@
 
 #include "Time.H"
 #include "addToRunTimeSelectionTable.H"
+#include "hasFluid.H"
 #include "keywords.H"
 #include "materialPointsWalls.H"
 #include "periodicity.H"
@@ -197,7 +198,7 @@ Foam::materialPointsPhase::materialPointsPhase
     asGrains_ = pointsAsGrains(method_.bodies(), dict_.subDict("bodies"));
 
     // Dry, the diameters are of the law alone, and bodies may differ in them
-    if (dict.lookupOrDefault<word>("fluid", "volumeOfFluid") != "none")
+    if (hasFluid(dict))
     {
         const scalar ratio = asGrains_.coarseGraining
         (

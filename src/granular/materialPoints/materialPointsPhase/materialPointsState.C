@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A continuum of material points in the place of grains: what is looked at, written and
-// read again.
+// A continuum of material points in the place of grains: snapshots, writing and reading.
 
 #include "materialPointsPhase.H"
 
@@ -41,7 +40,8 @@ namespace
             FatalErrorInFunction
                 << "Rank " << rank << " was to send " << result.size()
                 << " bytes of the state of its points; " << nBytes
-                << " came." << exit(FatalError);
+                << " came." << nl
+                << "    Continue from the last complete time." << exit(FatalError);
         }
         return result;
     }
@@ -63,7 +63,8 @@ namespace
             FatalErrorInFunction
                 << "The state of the points of rank " << Pstream::myProcNo()
                 << ", " << bytes.size() << " bytes, could not be sent to the"
-                << " first rank, which writes it." << exit(FatalError);
+                << " first rank, which writes it." << nl
+                << "    Continue from the last complete time." << exit(FatalError);
         }
     }
 

@@ -76,10 +76,10 @@ void Foam::DiFelice::K
         (
             3.7 - 0.65*(-0.5*(1.5 - logRe/M_LN10).square()).exp()
         );
-        const blockNumbers drag((Re > 1000).select
+        const blockNumbers drag((Re > singleSphere::mostRe).select
         (
-            single*(0.44/24)*Re,
-            single*(1 + 0.15*(0.687*logRe).exp())
+            single*singleSphere::perRe*Re,
+            single*(1 + singleSphere::factor*(singleSphere::exponent*logRe).exp())
         ));
 
         const blockNumbers result(drag*((1 - chi)*e.log()).exp());

@@ -15,8 +15,8 @@ namespace Foam
 
 Foam::Ergun::Ergun(const dictionary& dict)
 :
-    viscous_(dict.lookupOrDefault<scalar>("viscous", 150)),
-    inertial_(dict.lookupOrDefault<scalar>("inertial", 1.75))
+    viscous_(dict.getOrDefault<scalar>("viscous", 150)),
+    inertial_(dict.getOrDefault<scalar>("inertial", 1.75))
 {
     closure::checkKeywords(dict, {"viscous", "inertial"});
 

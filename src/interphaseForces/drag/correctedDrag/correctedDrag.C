@@ -80,7 +80,7 @@ Foam::correctedDrag::correctedDrag
 )
 :
     law_(std::move(law)),
-    strength_(dict.lookupOrDefault<scalar>("strength", 1)),
+    strength_(dict.getOrDefault<scalar>("strength", 1)),
     voidFraction_(dict.get<scalarList>("voidFraction")),
     logReynolds_(dict.get<scalarList>("Reynolds")),
     table_(dict.get<List<scalarList>>("logarithm")),

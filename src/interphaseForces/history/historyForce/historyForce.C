@@ -36,7 +36,7 @@ Foam::scalar factor(const Foam::grainState& state)
 Foam::historyForce::historyForce(const dictionary& dict)
 :
     strength_(closure::strength(dict)),
-    window_(dict.lookupOrDefault<scalar>("window", 1)),
+    window_(dict.getOrDefault<scalar>("window", 1)),
     interval_(0),
     readInterval_(0)
 {

@@ -13,8 +13,8 @@ Foam::wallLubrication::wallLubrication
 )
 :
     strength_(closure::strength(dict)),
-    range_(dict.lookupOrDefault<scalar>("range", 1)),
-    roughness_(dict.lookupOrDefault<scalar>("roughness", 1e-3))
+    range_(dict.getOrDefault<scalar>("range", 1)),
+    roughness_(dict.getOrDefault<scalar>("roughness", 1e-3))
 {
     keywords::check(dict, {"strength", "range", "roughness", "patches"});
 

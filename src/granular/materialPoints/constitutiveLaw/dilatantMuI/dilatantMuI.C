@@ -278,7 +278,7 @@ Foam::dilatantMuI::flow Foam::dilatantMuI::compacted
     const scalar dt
 ) const
 {
-    // phi_eq = phi says I_m, and the rest is quadratic in the rate
+    // phi_eq = phi gives I_m, and the rest is quadratic in the rate
     const scalar I = equilibriumNumber(phi);
     const scalar mu = static_ + (limit_ - static_)*I/(I + b_);
     const scalar square = mu*sqr(diameter_/I)*solidDensity_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a fit says of data that it was not fitted to.
+// How a fit predicts data that it was not fitted to, and by what chance it errs there.
 
-#include "elsewhere.H"
+#include "heldOutChance.H"
 
 #include <algorithm>
 #include <cmath>
@@ -106,8 +106,8 @@ double statistics::chanceOfDegradation
     };
     const mat errors = whitened(predictionErrors(fitted, heldOut, best));
 
-    // What chaos adds to the prediction is missing from what is left, and is in the effect
-    // as far as both share it: they contradict each other by that, for nothing
+    // What chaos adds to the prediction is missing from what is left, and is in the
+    // effect as far as both share it: they contradict each other by that, for nothing
     const mat chaos = shared*whitened(heldOut.chaosOfRun());
     const double deviation = std::sqrt
     (
