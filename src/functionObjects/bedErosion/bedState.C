@@ -9,7 +9,6 @@
 #include "PstreamReduceOps.H"
 #include "dictionary.H"
 #include "foamCompatibility.H"
-#include "mathematicalConstants.H"
 
 Foam::bedGrains::bedGrains
 (

@@ -6,7 +6,6 @@
 #include "gravityMeshObject.H"
 #include "hasFluid.H"
 #include "keywords.H"
-#include "mathematicalConstants.H"
 #include "snapshotCache.H"
 #include "strips.H"
 

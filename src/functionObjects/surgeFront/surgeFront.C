@@ -5,7 +5,6 @@
 
 #include "addToRunTimeSelectionTable.H"
 #include "flumeSettings.H"
-#include "mathematicalConstants.H"
 
 namespace Foam
 {
