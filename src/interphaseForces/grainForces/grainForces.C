@@ -2,9 +2,7 @@
 // Force and torque on each grain from the fluid around it.
 
 #include "grainForces.H"
-
-#include <boost/math/tools/toms748_solve.hpp>
-#include <cstdint>
+#include "rootBetween.H"
 
 namespace
 {
@@ -155,28 +153,7 @@ inline void Foam::grainForces::shearLiquid
 
     const scalar atRest = laws_.shear.slipAtRest(state.d);
     const scalar unbraked = momentum/m;
-    const scalar low = unbraked > atRest ? excess(atRest) : 0;
-    if (low >= 0)
-    {
-        excess(atRest);
-        return;
-    }
-    const scalar high = excess(unbraked);
-    if (high > 0)
-    {
-        std::uintmax_t nSteps = 50;
-        const auto end = boost::math::tools::toms748_solve
-        (
-            excess,
-            atRest,
-            unbraked,
-            low,
-            high,
-            boost::math::tools::eps_tolerance<scalar>(30),
-            nSteps
-        );
-        excess(end.first);
-    }
+    excess(unbraked > atRest ? rootBetween(excess, atRest, unbraked) : atRest);
 }
 
 

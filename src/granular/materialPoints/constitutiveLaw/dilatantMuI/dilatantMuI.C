@@ -6,50 +6,12 @@
 
 #include "addToRunTimeSelectionTable.H"
 #include "keywords.H"
-
-#include <boost/math/tools/toms748_solve.hpp>
+#include "rootBetween.H"
 
 namespace Foam
 {
     defineTypeNameAndDebug(dilatantMuI, 0);
     addToRunTimeSelectionTable(constitutiveLaw, dilatantMuI, dictionary);
-}
-
-
-namespace
-{
-    using namespace Foam;
-
-    //- Where f, which is below zero at low and not below at high, is zero. The
-    //  bracket closes as that of bisection does, in fewer steps where f is smooth
-    template<class Function>
-    scalar rootBetween(const Function& f, const scalar low, const scalar high)
-    {
-        const scalar atLow = f(low);
-        const scalar atHigh = f(high);
-
-        if (atLow >= 0)
-        {
-            return low;
-        }
-        if (atHigh <= 0)
-        {
-            return high;
-        }
-
-        std::uintmax_t most = 60;
-        const auto bracket = boost::math::tools::toms748_solve
-        (
-            f,
-            low,
-            high,
-            atLow,
-            atHigh,
-            boost::math::tools::eps_tolerance<scalar>(40),
-            most
-        );
-        return 0.5*(bracket.first + bracket.second);
-    }
 }
 
 
