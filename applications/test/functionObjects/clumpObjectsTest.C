@@ -2,11 +2,12 @@
 // Function objects among clumps of spheres.
 
 #include "bedErosion.H"
+#include "collisionLoad.H"
 #include "displacedGrains.H"
-#include "grainTrack.H"
+#include "grainBodies.H"
+#include "grainStress.H"
 #include "surgeFront.H"
 #include "tank.H"
-#include "terminalOutput.H"
 
 using namespace Foam;
 
@@ -40,19 +41,34 @@ void doubled(grainSnapshot& grains, const scalar diameters)
 } // End anonymous namespace
 
 
-TEST_F(tank, whatTakesGrainsForSpheresRefusesClumps)
+// Of two spheres 0.98 m apart across a side that repeats, or 0.02 m the other way
+TEST_F(tank, theCentreOfAClumpLiesBetweenItsSpheresBeyondASide)
 {
-    functionObjects::displacedGrains moved("moved", box_.time(), dict("sections (0.5);"));
-    functionObjects::grainTrack track("track", box_.time(), dict("ids (3);"));
-    moved.execute();
-    track.execute();
+    grainSnapshot two(2);
+    two.id = labelList({9, 4});
+    two.type = labelList({2, 1});
+    two.clump = labelList({3, 3});
+    two.share = scalarList({0.25, 0.75});
+    two.clumpDiameter = scalarField(2, 0.03);
+    two.position = List<vector>({vector(0.99, 0.5, 0.1), vector(0.01, 0.5, 0.2)});
+    two.mass = scalarList({1, 3});
+    two.U = List<vector>({vector(4, 0, 0), vector(0, 4, 0)});
+    two.force = List<vector>({vector(1, 0, 0), vector(0, 2, 0)});
 
-    grains_.grains.clump[7] = 1;
-    ++box_.time();
-    track.execute();
-    const std::string output(refusal([&]{ moved.execute(); }));
-    expectHolds(output, "Function object moved of type displacedGrains");
-    expectHolds(output, "Take it out of system/controlDict");
+    testBox repeats;
+    repeats.patches[0] = repeats.patches[1] = "cyclic";
+    testMesh box(repeats);
+    const auto bodies(grainBodies(two, periodicity(box.mesh())));
+
+    ASSERT_EQ(bodies->size(), 1);
+    EXPECT_EQ(bodies->id[0], 4);
+    EXPECT_EQ(bodies->type[0], 1);
+    EXPECT_EQ(bodies->d[0], 0.03);
+    EXPECT_EQ(bodies->mass[0], 4);
+    EXPECT_LT(mag(bodies->position[0] - vector(0.005, 0.5, 0.175)), 1e-12);
+    EXPECT_LT(mag(bodies->U[0] - vector(1, 3, 0)), 1e-12);
+    EXPECT_LT(mag(bodies->force[0] - vector(1, 2, 0)), 1e-12);
+    EXPECT_FALSE(bodies->hasClumps());
 }
 
 
@@ -133,4 +149,153 @@ TEST_F(tank, volumesAndNumbersAreThoseOfClumps)
     ++box_.time();
     lines("Large");
     EXPECT_NEAR(solid("Large"), pow3(1.5)*solid("Alone"), 1e-6*solid("Large"));
+}
+
+
+// The forces on the spheres of a clump balance: nothing hits the clump
+TEST_F(tank, theLoadOfAClumpIsTheSumOverItsSpheres)
+{
+    const auto line = [&](const word& name)
+    {
+        functionObjects::collisionLoad load
+        (
+            name, box_.time(), dict("types (1); range (0.2 0.4); window (0 1);")
+        );
+        load.execute();
+        load.write();
+        return lastLine(name, "collisionLoad");
+    };
+
+    const scalarList alone(line("alone"));
+    doubled(grains_.grains, 1);
+    ++box_.time();
+    EXPECT_EQ(line("none")[1], 0);
+
+    forAll(grains_.grains.id, i)
+    {
+        grains_.grains.contactForce[i] = i < 100 ? vector(3, 1, 0) : vector(0, -1, 4);
+    }
+    ++box_.time();
+    const scalarList clumps(line("clumps"));
+
+    ASSERT_EQ(clumps.size(), alone.size());
+    for (label i = 1; i < alone.size(); ++i)
+    {
+        EXPECT_NEAR(clumps[i], alone[i], 1e-9) << i;
+    }
+}
+
+
+// It turns about its centre by half a turn, then goes 0.05 m
+TEST_F(tank, aClumpIsDisplacedWithItsCentre)
+{
+    grainSnapshot& g = grains_.grains;
+    doubled(g, 2);
+    g.share = 0.5;
+    const vector aside(0.03, 0, 0);
+    const auto spread = [&](const scalar sign)
+    {
+        forAll(g.id, i)
+        {
+            g.position[i] += i < 100 ? sign*aside : -sign*aside;
+        }
+    };
+
+    spread(1);
+    functionObjects::displacedGrains moved
+    (
+        "moved", box_.time(), dict("threshold 0.04; speed 0.1;")
+    );
+    ++box_.time();
+    moved.execute();
+    spread(-2);
+    ++box_.time();
+    moved.execute();
+    moved.write();
+    EXPECT_EQ(lastLine("moved", "displacedGrains")[1], 0);
+
+    for (label clump = 1; clump <= 7; ++clump)
+    {
+        for (const label i : {clump - 1, clump + 99})
+        {
+            g.position[i].x() += 0.05;
+            g.U[i] = vector(0.5, 0, 0);
+        }
+    }
+    ++box_.time();
+    moved.execute();
+    moved.write();
+
+    const scalarList line(lastLine("moved", "displacedGrains"));
+    const scalar V = constant::mathematical::pi*pow3(0.04)/6;
+    EXPECT_EQ(line[1], 7);
+    EXPECT_NEAR(line[2], 7*V, 1e-5*7*V);
+    EXPECT_NEAR(line[6], 0.5, 1e-6);
+}
+
+
+TEST_F(tank, theStressOfClumpsCountsEachOnce)
+{
+    const auto line = [&](const word& name)
+    {
+        functionObjects::grainStress stress
+        (
+            name, box_.time(), dict("boxes ( ((0 0 0) (1 1 0.5)) ); kinetic true;")
+        );
+        stress.write();
+        return lastLine(name, "grainStress");
+    };
+    forAll(grains_.grains.id, i)
+    {
+        grains_.grains.U[i] = vector(i % 3, 0, 1);
+    }
+
+    const scalarList alone(line("alone"));
+    const symmTensor moment(grains_.grains.stressMoment[0]);
+    doubled(grains_.grains, 1);
+    forAll(grains_.grains.id, i)
+    {
+        grains_.grains.stressMoment[i] = i < 100 ? 0.2*moment : 0.8*moment;
+    }
+    ++box_.time();
+    const scalarList clumps(line("clumps"));
+
+    ASSERT_GT(alone.size(), 10);
+    EXPECT_EQ(clumps[1], 100);
+    for (label i = 1; i < alone.size(); ++i)
+    {
+        EXPECT_NEAR(clumps[i], alone[i], 1e-9*(1 + mag(alone[i]))) << i;
+    }
+}
+
+
+TEST(ParallelGrainBodies, aClumpOnTwoRanksIsOneGrain)
+{
+    testMesh box;
+    const label rank = Pstream::myProcNo();
+    grainSnapshot mine(rank < 2 ? 1 : 0);
+    mine.share.setSize(mine.size(), 0.5);
+    mine.clumpDiameter.setSize(mine.size(), 0.03);
+    if (mine.size())
+    {
+        mine.id[0] = 7 - rank;
+        mine.type[0] = 3;
+        mine.clump[0] = 5;
+        mine.position[0] = vector(0.4 + 0.2*rank, 0.5, 0.5);
+        mine.mass[0] = 2;
+        mine.U[0] = vector(rank, 1, 0);
+        mine.contactForce[0] = vector(rank, 0, 1);
+    }
+
+    const auto bodies(grainBodies(mine, periodicity(box.mesh())));
+
+    EXPECT_EQ(returnReduce(bodies->size(), sumOp<label>()), 1);
+    if (bodies->size())
+    {
+        EXPECT_EQ(bodies->id[0], 6);
+        EXPECT_EQ(bodies->mass[0], 4);
+        EXPECT_LT(mag(bodies->position[0] - vector(0.5, 0.5, 0.5)), 1e-12);
+        EXPECT_LT(mag(bodies->U[0] - vector(0.5, 1, 0)), 1e-12);
+        EXPECT_EQ(bodies->contactForce[0], vector(1, 0, 2));
+    }
 }

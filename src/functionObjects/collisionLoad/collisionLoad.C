@@ -172,14 +172,13 @@ bool Foam::functionObjects::collisionLoad::sample()
         setProperty("mass", mass_);
     }
 
-    const grainSnapshot& all = grains();
-    const labelList chosen(ofTypes(all, types_));
+    const grainSnapshot& all = bodies();
     scalar force = 0;
     scalar velocity = 0;
     scalar greatest = 0;
     label n = 0;
 
-    for (const label i : chosen)
+    for (const label i : ofTypes(all, types_))
     {
         const scalar x = frame_.x(all.position[i]);
 
@@ -198,7 +197,8 @@ bool Foam::functionObjects::collisionLoad::sample()
     reduce(greatest, maxOp<scalar>());
     reduce(n, sumOp<label>());
 
-    const scalar height = extent(chosen, range_.first(), range_.second());
+    const scalar height =
+        extent(ofTypes(grains(), types_), range_.first(), range_.second());
 
     force_.append(now(), force);
     velocity_.append(now(), velocity);

@@ -117,7 +117,14 @@ bool Foam::functionObjects::flumeFunctionObject::hasFluid(const fvMesh& mesh)
 const Foam::grainSnapshot&
 Foam::functionObjects::flumeFunctionObject::grains() const
 {
-    return snapshotCache::get(mesh_, takesClumps() ? nullptr : this);
+    return snapshotCache::get(mesh_);
+}
+
+
+const Foam::grainSnapshot&
+Foam::functionObjects::flumeFunctionObject::bodies() const
+{
+    return snapshotCache::bodies(mesh_);
 }
 
 

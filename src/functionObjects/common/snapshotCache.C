@@ -4,6 +4,7 @@
 #include "snapshotCache.H"
 
 #include "Time.H"
+#include "grainBodies.H"
 
 namespace Foam
 {
@@ -27,6 +28,7 @@ Foam::snapshotCache::snapshotCache(const fvMesh& mesh)
     mesh_(mesh),
     time_(0),
     timeIndex_(-1),
+    images_(mesh),
     clumps_(false)
 {}
 
@@ -39,6 +41,7 @@ const Foam::grainSnapshot& Foam::snapshotCache::present()
     if (!grains_ || timeIndex_ != now.timeIndex() || time_ != now.value())
     {
         grains_ = grainSnapshot::New(mesh_);
+        bodies_.clear();
         clumps_ = grains_->hasClumps();
         timeIndex_ = now.timeIndex();
         time_ = now.value();
@@ -48,26 +51,20 @@ const Foam::grainSnapshot& Foam::snapshotCache::present()
 }
 
 
-void Foam::snapshotCache::checkNoClumps(const functionObject& asks) const
+const Foam::grainSnapshot& Foam::snapshotCache::presentBodies()
 {
-    if (clumps_)
+    const grainSnapshot& all = present();
+
+    if (clumps_ && !bodies_)
     {
-        FatalErrorInFunction
-            << "Function object " << asks.name() << " of type " << asks.type()
-            << " takes each grain for a sphere, but there are clumps of spheres"
-            << " that overlap." << nl
-            << "    Take it out of system/controlDict. collisionLoad, displacedGrains and"
-            << " grainStress do not know clumps."
-            << exit(FatalError);
+        bodies_ = grainBodies(all, images_);
     }
+
+    return clumps_ ? *bodies_ : all;
 }
 
 
-const Foam::grainSnapshot& Foam::snapshotCache::get
-(
-    const fvMesh& mesh,
-    const functionObject* takesNoClumps
-)
+Foam::snapshotCache& Foam::snapshotCache::of(const fvMesh& mesh)
 {
     auto* cache = mesh.getObjectPtr<snapshotCache>(typeName);
 
@@ -77,11 +74,5 @@ const Foam::grainSnapshot& Foam::snapshotCache::get
         cache->store();
     }
 
-    const grainSnapshot& all = cache->present();
-    if (takesNoClumps)
-    {
-        cache->checkNoClumps(*takesNoClumps);
-    }
-
-    return all;
+    return *cache;
 }

@@ -116,7 +116,7 @@ Foam::scalar Foam::functionObjects::displacedGrains::meanDiameter
     scalar sum = 0;
     for (const label i : chosen)
     {
-        sum += grains().d[i];
+        sum += bodies().d[i];
     }
     const label n = returnReduce(chosen.size(), sumOp<label>());
     return returnReduce(sum, sumOp<scalar>())/max(n, 1);
@@ -160,7 +160,7 @@ void Foam::functionObjects::displacedGrains::begin(const labelList& chosen)
 {
     origins_.time = now();
     origins_.d = meanDiameter(chosen);
-    origins_.of(grains(), chosen);
+    origins_.of(bodies(), chosen);
     writeOrigins();
     Info<< type() << " " << name() << ": displacements from time " << now()
         << " s; mean diameter " << origins_.d << " m" << endl;
@@ -190,7 +190,7 @@ void Foam::functionObjects::displacedGrains::addTo
 
 bool Foam::functionObjects::displacedGrains::sample()
 {
-    const labelList chosen(ofTypes(grains(), types_));
+    const labelList chosen(ofTypes(bodies(), types_));
 
     // Also where all have left that the run before began with
     const bool begun = origins_.time < GREAT || isContinuation();
@@ -207,7 +207,7 @@ bool Foam::functionObjects::displacedGrains::sample()
     scalarField sums(6, Zero);
     scalarField left(sections_.size(), Zero);
 
-    for (const grainOrigins::record& r : origins_.of(grains(), chosen))
+    for (const grainOrigins::record& r : origins_.of(bodies(), chosen))
     {
         if (mag(r.displacement) <= far)
         {

@@ -281,7 +281,7 @@ Foam::scalar Foam::functionObjects::grainStress::surface
     const label region
 ) const
 {
-    const grainSnapshot& all = grains();
+    const grainSnapshot& all = bodies();
     const labelList chosen(ofTypes(all, types_));
     const Tuple2<point, scalar> here(place(region));
     const scalar x = frame_.x(here.first());
@@ -325,7 +325,7 @@ Foam::functionObjects::grainStress::sumsOver
     const vector& down
 ) const
 {
-    const grainSnapshot& all = grains();
+    const grainSnapshot& all = bodies();
     sums s;
 
     for (const label i : ofTypes(all, types_))
