@@ -4,6 +4,7 @@
 #include "liggghtsClumps.H"
 
 #include "clumpInsertion.H"
+#include "clumpRemoval.H"
 #include "clumpSums.H"
 #include "clumpTemplate.H"
 #include "fixStyles.H"
@@ -48,6 +49,7 @@ void Foam::liggghtsClumps::addStyle(LAMMPS_NS::LAMMPS* lmp)
 {
     addFixStyle<clumpTemplate>(lmp);
     addFixStyle<clumpInsertion>(lmp);
+    addFixStyle<clumpRemoval>(lmp);
 }
 
 
@@ -103,8 +105,8 @@ void Foam::liggghtsClumps::checkFound
     // By the name of its fix: LIGGGHTS leaves spheres alone where that is another
     if
     (
-        restarted && n_ == 0
-     && liggghts_->modify->have_restart_data_style(clumpStyle)
+        restarted && liggghts_->modify->have_restart_data_style(clumpStyle)
+     && !liggghts_->modify->have_restart_data(fix_)
     )
     {
         refuse
@@ -166,6 +168,18 @@ void Foam::liggghtsClumps::insert()
 }
 
 
+void Foam::liggghtsClumps::addRemoval(liggghtsInstance& liggghts) const
+{
+    if (fix_)
+    {
+        liggghts.command
+        (
+            "fix interDEMFoamClumpRemoval all " + string(clumpRemoval::styleName)
+        );
+    }
+}
+
+
 void Foam::liggghtsClumps::refuse(const string& what, const string& remedy) const
 {
     FatalErrorInFunction
@@ -179,7 +193,6 @@ void Foam::liggghtsClumps::check
 (
     const scalar localDamping,
     const scalar coarseGraining,
-    const bool outflow,
     const bool stepForces,
     const fileName& physicsScript
 ) const
@@ -204,14 +217,6 @@ void Foam::liggghtsClumps::check
         (
             "coarseGraining, which is written for single grains.",
             "Take coarseGraining out of constant/granularProperties."
-        );
-    }
-    if (outflow)
-    {
-        refuse
-        (
-            "an outflow: a clump would leave sphere by sphere.",
-            "Take LIGGGHTS/outflow out of constant/granularProperties."
         );
     }
     if (stepForces)
@@ -291,6 +296,21 @@ Foam::label Foam::liggghtsClumps::nSpheres() const
         n += clump > 0;
     }
     return returnReduce(n, sumOp<label>());
+}
+
+
+Foam::label Foam::liggghtsClumps::nBodies() const
+{
+    // LIGGGHTS breaks up a clump that has lost a sphere, and takes out the others a
+    // few steps later
+    const scalar* broken = fix_->fix_delflag()->vector_atom;
+    label n = 0;
+
+    forAll(clump_, i)
+    {
+        n += clump_[i] <= 0 && broken[i] == 0;
+    }
+    return returnReduce(n, sumOp<label>()) + n_;
 }
 
 

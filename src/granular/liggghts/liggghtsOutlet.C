@@ -3,9 +3,8 @@
 
 #include "liggghtsOutlet.H"
 
-#include "OStringStream.H"
 #include "Time.H"
-#include "foamCompatibility.H"
+#include "clumpRemoval.H"
 
 #include <liggghts/domain.h>
 #include <liggghts/fix.h>
@@ -26,6 +25,7 @@ Foam::liggghtsOutlet::liggghtsOutlet
     liggghts_(liggghts),
     openings_(openings(outflow)),
     images_(mesh),
+    removal_(nullptr),
     nGrains_(0),
     nInserted_(0),
     nEntered_(0),
@@ -225,146 +225,10 @@ bool Foam::liggghtsOutlet::wasTurnedOut
 }
 
 
-void Foam::liggghtsOutlet::warnOfVanished
-(
-    const label n,
-    const lostGrainFinder::record& first
-)
-{
-    warnedOfVanished_ = true;
-
-    WarningInFunction
-        << n << " grains (reported once) are gone by time "
-        << grains_.timeName() << " s that were not about to reach a side"
-        << " of their box; they are lost, and do not count as left." << nl
-        << "    " << describe(first).c_str() << nl
-        << "    A command of the case took them away, or a contact threw them"
-        << " out: then shorten the DEM step." << endl;
-}
-
-
-std::string Foam::liggghtsOutlet::describe(const lostGrainFinder::record& grain)
-{
-    if (grain.first() < 0)
-    {
-        return "It came in within this exchange interval, too.";
-    }
-
-    OStringStream os;
-    os  << "Grain " << grain.first() << " was, one exchange interval before, at "
-        << grain.second().first() << " m with velocity "
-        << grain.second().second() << " m/s.";
-    return os.str();
-}
-
-
-void Foam::liggghtsOutlet::stopForWrong
-(
-    const label n,
-    const lostGrainFinder::record& first,
-    const label clump
-) const
-{
-    OStringStream who;
-    if (clump)
-    {
-        who << " It is a sphere of clump " << clump << ", which counts once.";
-    }
-
-    FatalErrorInFunction
-        << "A grain left the mesh where it may not, by time "
-        << grains_.timeName() << " s." << nl
-        << "    " << describe(first).c_str() << who.str().c_str() << nl
-        << "    " << n << " of " << nGrains_ << " grains left so." << nl
-        << "    If grains pass a wall: shorten the DEM step or make the"
-        << " grains stiffer."
-        << (
-               clump ? " Clumps may not leave."
-             : " If they may leave: name the patches in"
-               " LIGGGHTS/outflow of constant/granularProperties."
-           )
-        << exit(FatalError);
-}
-
-
-Foam::labelList Foam::liggghtsOutlet::clumpsOf
-(
-    const UList<lostGrainFinder::record>& missing
-) const
-{
-    labelList result(missing.size(), Zero);
-
-    forAll(missing, k)
-    {
-        const auto known = clumpBefore_.cfind(missing[k].first());
-        result[k] = known.found() ? *known : 0;
-    }
-    Pstream::listCombineGather(result, maxEqOp<label>());
-    compatibility::broadcast(result);
-
-    return result;
-}
-
-
-Foam::label Foam::liggghtsOutlet::nVanished(const label gone)
-{
-    // Those that came in and went within one interval were never seen
-    const List<lostGrainFinder::record> missing(before_.missing(grains_.id()));
-    const label nUnseen = gone - missing.size();
-    label nWrong = openings_.empty() ? nUnseen : 0;
-    label nInside = nUnseen - nWrong;
-    lostGrainFinder::record first(-1, Pair<vector>());
-    lostGrainFinder::record firstInside(first);
-    const labelList clumps(clumpsOf(missing));
-    label firstClump = 0;
-    labelHashSet seen;
-
-    forAll(missing, k)
-    {
-        const lostGrainFinder::record& grain = missing[k];
-        if (clumps[k] && !seen.insert(clumps[k]))
-        {
-            continue;
-        }
-
-        const point& from = grain.second().first();
-        const vector& velocity = grain.second().second();
-        point leavesAt(from);
-        const bool out = cameToSide(from, velocity, leavesAt);
-
-        if (out ? !mayLeave(leavesAt, velocity) : openings_.empty())
-        {
-            ++nWrong;
-            firstClump = first.first() < 0 ? clumps[k] : firstClump;
-            first = first.first() < 0 ? grain : first;
-        }
-        else if (!out)
-        {
-            ++nInside;
-            firstInside = firstInside.first() < 0 ? grain : firstInside;
-        }
-    }
-
-    if (nInside > 0 && !warnedOfVanished_ && Pstream::master())
-    {
-        warnOfVanished(nInside, firstInside);
-    }
-
-    if (nWrong && Pstream::master())
-    {
-        stopForWrong(nWrong, first, firstClump);
-    }
-
-    // Until the master has ended the run
-    compatibility::barrier();
-
-    return nInside;
-}
-
-
 void Foam::liggghtsOutlet::begin()
 {
-    nGrains_ = grains_.nTotal();
+    removal_ = clumpRemoval::of(liggghts_);
+    nGrains_ = grains_.nBodies();
     nInserted_ = nInserted();
 }
 
@@ -373,6 +237,10 @@ void Foam::liggghtsOutlet::note()
 {
     before_.note(grains_.id(), grains_.position(), grains_.velocity());
 
+    if (removal_)
+    {
+        removal_->forget();
+    }
     clumpBefore_.clear();
     forAll(grains_.clump(), i)
     {
@@ -384,7 +252,7 @@ void Foam::liggghtsOutlet::note()
 void Foam::liggghtsOutlet::count()
 {
     const label inserted = nInserted();
-    const label now = grains_.nTotal();
+    const label now = grains_.nBodies();
     const label gone = nGrains_ + inserted - nInserted_ - now;
 
     if (gone > 0)

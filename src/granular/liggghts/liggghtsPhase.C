@@ -143,8 +143,7 @@ Foam::liggghtsPhase::liggghtsPhase
     addCouplingFixes();
     clumps_.check
     (
-        localDamping_, coarseGraining_, outlet_.isOpen(), bool(eachStep_),
-        physicsScript_
+        localDamping_, coarseGraining_, bool(eachStep_), physicsScript_
     );
     liggghtsChecks::checkTimeStep(liggghts_, physicsScript_);
 
@@ -249,7 +248,7 @@ bool Foam::liggghtsPhase::mobile(const label i) const
 
 Foam::label Foam::liggghtsPhase::nBodies() const
 {
-    return nTotal() - (hasClumps() ? clumps_.nSpheres() - clumps_.n() : 0);
+    return hasClumps() ? clumps_.nBodies() : nTotal();
 }
 
 

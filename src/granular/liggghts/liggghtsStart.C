@@ -212,6 +212,7 @@ void Foam::liggghtsPhase::addCouplingFixes()
     );
 
     last_.add(liggghts_);
+    clumps_.addRemoval(liggghts_);
 
     if (eachStep_)
     {
