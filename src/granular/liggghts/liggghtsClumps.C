@@ -154,11 +154,13 @@ void Foam::liggghtsClumps::insert()
     liggghts_->comm->borders();
     modify.setup(0);
 
+    // Those that wait for a later step do so
+    const bigint firstStep = liggghts_->update->ntimestep + 1;
     for (label i = 0; i < modify.nfix; ++i)
     {
         LAMMPS_NS::Fix& fix = *modify.fix[i];
 
-        if (isInsertion(fix) && fix.next_reneighbor > 0)
+        if (isInsertion(fix) && fix.next_reneighbor == firstStep)
         {
             fix.setup(0);
             fix.next_reneighbor = liggghts_->update->ntimestep;
@@ -195,7 +197,7 @@ void Foam::liggghtsClumps::check
     const scalar coarseGraining,
     const bool stepForces,
     const fileName& physicsScript
-) const
+)
 {
     checkNoOthers();
     if (!fix_)
@@ -229,8 +231,8 @@ void Foam::liggghtsClumps::check
     }
     checkRoom();
     checkFree();
-    checkNoInsertion();
-    checkMovedOnce(physicsScript);
+    script_ = physicsScript;
+    checkMovedOnce();
 }
 
 
@@ -253,30 +255,6 @@ void Foam::liggghtsClumps::checkNoOthers() const
                 << " makes rigid bodies of which the fluid would know nothing." << nl
                 << "    Clumps are made by one 'fix multisphere' in the initial script,"
                 << " and templates and insertions behind it." << exit(FatalError);
-        }
-    }
-}
-
-
-void Foam::liggghtsClumps::checkNoInsertion() const
-{
-    const LAMMPS_NS::Modify& modify = *liggghts_->modify;
-
-    for (label i = 0; i < modify.nfix; ++i)
-    {
-        const LAMMPS_NS::Fix& fix = *modify.fix[i];
-
-        if
-        (
-            isInsertion(fix)
-         && fix.next_reneighbor > liggghts_->update->ntimestep
-        )
-        {
-            refuse
-            (
-                "fix " + string(fix.id) + " is to insert grains while the run goes on.",
-                "Insert all grains in the initial script, with 'insert_every once'."
-            );
         }
     }
 }
@@ -377,7 +355,12 @@ void Foam::liggghtsClumps::refresh
     const vector& g
 )
 {
-    n_ = fix_->n_body_all();
+    const label n = fix_->n_body_all();
+    if (n > n_)
+    {
+        checkMovedOnce();
+    }
+    n_ = n;
     setSpheres();
     shareForces(total, fluid, g);
 }

@@ -8,15 +8,38 @@
 #include <liggghts/atom.h>
 #include <liggghts/domain.h>
 #include <liggghts/fix_multisphere.h>
+#include <liggghts/fix_template_multisphere.h>
 #include <liggghts/lammps.h>
 #include <liggghts/modify.h>
+
+
+Foam::DynamicList<LAMMPS_NS::FixTemplateMultisphere*>
+Foam::liggghtsClumps::templates() const
+{
+    const LAMMPS_NS::Modify& modify = *liggghts_->modify;
+    DynamicList<LAMMPS_NS::FixTemplateMultisphere*> result;
+
+    for (label i = 0; i < modify.nfix; ++i)
+    {
+        auto* clump = dynamic_cast<LAMMPS_NS::FixTemplateMultisphere*>(modify.fix[i]);
+        if (clump)
+        {
+            result.append(clump);
+        }
+    }
+    return result;
+}
 
 
 void Foam::liggghtsClumps::checkRoom() const
 {
     // LIGGGHTS distinguishes images and ranks of a clump by the nearest one
     const LAMMPS_NS::Domain& domain = *liggghts_->domain;
-    const scalar size = 2*fix_->max_r_bound();
+    scalar size = 2*fix_->max_r_bound();
+    for (LAMMPS_NS::FixTemplateMultisphere* clump : templates())
+    {
+        size = max(size, scalar(2*clump->max_r_bound()));
+    }
 
     for (direction k = 0; k < 3; ++k)
     {
@@ -78,7 +101,7 @@ void Foam::liggghtsClumps::checkFree() const
 }
 
 
-void Foam::liggghtsClumps::checkMovedOnce(const fileName& script) const
+void Foam::liggghtsClumps::checkMovedOnce() const
 {
     const LAMMPS_NS::Modify& modify = *liggghts_->modify;
     const LAMMPS_NS::Atom& atom = *liggghts_->atom;
@@ -92,12 +115,18 @@ void Foam::liggghtsClumps::checkMovedOnce(const fileName& script) const
         {
             moves = moves || (clumpOf(i) && (atom.mask[i] & fix.groupbit));
         }
+        for (const LAMMPS_NS::FixTemplateMultisphere* clump : templates())
+        {
+            // 1 is the group all, of each grain
+            const int groups = 1 | clump->groupbit;
+            moves = moves || (fix.time_integrate && (groups & fix.groupbit));
+        }
         if (returnReduce(moves, orOp<bool>()))
         {
             refuse
             (
                 "fix " + string(fix.id) + " (" + string(fix.style) + ") of "
-              + string(script) + " moves their spheres, too.",
+              + string(script_) + " moves their spheres, too.",
                 "fix multisphere moves clumps: take that fix out, or give it a group"
                 " of the other grains alone."
             );

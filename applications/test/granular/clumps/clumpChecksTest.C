@@ -46,10 +46,6 @@ TEST(clumps, refuseWhatIsNotWrittenForThem)
     expectHolds(refused("interphaseForces { lubrication {} }"), "lubrication");
 
     settings s;
-    s.when = "1000";
-    expectHolds(refused("", s), "fix insertion is to insert grains");
-
-    s = settings();
     s.physics = "fix integrate all nve/sphere\n";
     const std::string twice(refused("", s));
     expectHolds(twice, "fix integrate (nve/sphere)");
