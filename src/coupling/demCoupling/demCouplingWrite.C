@@ -22,20 +22,14 @@ bool Foam::demCoupling::writeCloud() const
     const autoPtr<grainSnapshot> moved(phase_->snapshot());
     grainSnapshot located;
 
-    located.id = exchange_->toCells(moved->id);
-    located.type = exchange_->toCells(moved->type);
-    located.U = exchange_->toCells(moved->U);
-    located.omega = exchange_->toCells(moved->omega);
-    located.d = exchange_->toCells(moved->d);
-    located.mass = exchange_->toCells(moved->mass);
-    located.force = exchange_->toCells(moved->force);
-    located.contactForce = exchange_->toCells(moved->contactForce);
-    located.stressMoment = exchange_->toCells(moved->stressMoment);
+    const auto locate = [&](const char*, const auto member)
+    {
+        located.*member = exchange_->toCells((*moved).*member);
+    };
+    grainSnapshot::forEachField(locate);
     if (phase_->hasClumps())
     {
-        located.clump = exchange_->toCells(moved->clump);
-        located.share = exchange_->toCells(moved->share);
-        located.clumpDiameter = exchange_->toCells(moved->clumpDiameter);
+        grainSnapshot::forEachClumpField(locate);
     }
 
     for (const word& wall : moved->wallForce.sortedToc())

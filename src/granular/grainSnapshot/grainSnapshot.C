@@ -24,11 +24,6 @@ using namespace Foam;
 
 const string wallPrefix("wallForce.");
 
-//- Written where there are clumps
-const word clumpField("clump");
-const word shareField("share");
-const word clumpDiameterField("clumpDiameter");
-
 
 fileName cloudFolder()
 {
@@ -117,6 +112,12 @@ bool writeField
 }
 
 
+bool writeField(const fvMesh& mesh, const word& name, const labelList& values)
+{
+    return writeField<label>(mesh, name, labelField(values));
+}
+
+
 template<class Type>
 void readField
 (
@@ -185,20 +186,17 @@ bool isOnDisk(const fvMesh& mesh, const word& field)
 }
 
 
-//- Fatal where clumps were written without their shares
-void checkShares(const fvMesh& mesh)
+//- Fatal where clumps were written without a field
+void checkField(const fvMesh& mesh, const word& field)
 {
-    for (const word& field : {shareField, clumpDiameterField})
+    if (!isOnDisk(mesh, field))
     {
-        if (!isOnDisk(mesh, field))
-        {
-            FatalErrorInFunction
-                << "The grains of time " << mesh.time().timeName()
-                << " are clumps, but lack the field " << field << " in "
-                << cloudFolder() << "." << nl
-                << "    A version without it wrote them: run the case again, or take this"
-                << " time out." << exit(FatalError);
-        }
+        FatalErrorInFunction
+            << "The grains of time " << mesh.time().timeName()
+            << " are clumps, but lack the field " << field << " in "
+            << cloudFolder() << "." << nl
+            << "    A version without it wrote them: run the case again, or take this"
+            << " time out." << exit(FatalError);
     }
 }
 
@@ -303,18 +301,15 @@ void checkCells
 
 Foam::grainSnapshot::grainSnapshot(const label n)
 :
-    id(n, Zero),
-    type(n, Zero),
     clump(n, Zero),
-    position(n, Zero),
-    U(n, Zero),
-    omega(n, Zero),
-    d(n, Zero),
-    mass(n, Zero),
-    force(n, Zero),
-    contactForce(n, Zero),
-    stressMoment(n, Zero)
-{}
+    position(n, Zero)
+{
+    forEachField([this, n](const char*, const auto member)
+    {
+        auto& list = this->*member;
+        list = std::decay_t<decltype(list)>(n, Zero);
+    });
+}
 
 
 Foam::autoPtr<Foam::grainSnapshot> Foam::grainSnapshot::New(const fvMesh& mesh)
@@ -353,24 +348,22 @@ Foam::autoPtr<Foam::grainSnapshot> Foam::grainSnapshot::read
         return result;
     }
 
-    readField(mesh, "id", grains.id);
-    readField(mesh, "type", grains.type);
-    if (isOnDisk(mesh, clumpField))
+    const auto readInto = [&](const char* name, const auto member)
     {
-        readField(mesh, clumpField, grains.clump);
-        checkShares(mesh);
-        grains.share.setSize(grains.size());
-        readField(mesh, shareField, grains.share);
-        grains.clumpDiameter.setSize(grains.size());
-        readField(mesh, clumpDiameterField, grains.clumpDiameter);
+        auto& list = grains.*member;
+        list.setSize(cloud.size());
+        readField(mesh, name, list);
+    };
+    forEachField(readInto);
+
+    if (isOnDisk(mesh, "clump"))
+    {
+        forEachClumpField([&](const char* name, const auto member)
+        {
+            checkField(mesh, name);
+            readInto(name, member);
+        });
     }
-    readField(mesh, "U", grains.U);
-    readField(mesh, "omega", grains.omega);
-    readField(mesh, "d", grains.d);
-    readField(mesh, "mass", grains.mass);
-    readField(mesh, "force", grains.force);
-    readField(mesh, "contactForce", grains.contactForce);
-    readField(mesh, "stressMoment", grains.stressMoment);
 
     for (const word& wall : allNames(wallsOnDisk(mesh)))
     {
@@ -393,29 +386,25 @@ bool Foam::grainSnapshot::write
 
     bool ok = writePositions(mesh, position, cells);
 
-    ok = writeField(mesh, "id", labelField(id)) && ok;
-    ok = writeField(mesh, "type", labelField(type)) && ok;
-    if (hasClumps())
+    const auto writeFrom = [&](const char* name, const auto member)
     {
-        ok = writeField(mesh, clumpField, labelField(clump)) && ok;
-        ok = writeField(mesh, shareField, share) && ok;
-        ok = writeField(mesh, clumpDiameterField, clumpDiameter) && ok;
-    }
-    else
+        ok = writeField(mesh, name, this->*member) && ok;
+    };
+    forEachField(writeFrom);
+
+    const bool clumps = hasClumps();
+    forEachClumpField([&](const char* name, const auto member)
     {
-        // Of a run before in this folder
-        for (const word& field : {clumpField, shareField, clumpDiameterField})
+        if (clumps)
         {
-            rm(fieldIO(mesh, field, IOobject::NO_READ).objectPath());
+            writeFrom(name, member);
         }
-    }
-    ok = writeField(mesh, "U", U) && ok;
-    ok = writeField(mesh, "omega", omega) && ok;
-    ok = writeField(mesh, "d", d) && ok;
-    ok = writeField(mesh, "mass", mass) && ok;
-    ok = writeField(mesh, "force", force) && ok;
-    ok = writeField(mesh, "contactForce", contactForce) && ok;
-    ok = writeField(mesh, "stressMoment", stressMoment) && ok;
+        else
+        {
+            // Of a run before in this folder
+            rm(fieldIO(mesh, name, IOobject::NO_READ).objectPath());
+        }
+    });
 
     for (const word& wall : allNames(wallForce.toc()))
     {

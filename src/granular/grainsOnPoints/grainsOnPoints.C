@@ -301,16 +301,12 @@ Foam::autoPtr<Foam::grainSnapshot> Foam::grainsOnPoints::snapshot() const
         type += grains_.nTypes();
     }
 
-    all.id = ids_;
-    join(all.type, grains->type, points->type);
     join(all.position, grains->position, points->position);
-    join(all.U, grains->U, points->U);
-    join(all.omega, grains->omega, points->omega);
-    join(all.d, grains->d, points->d);
-    join(all.mass, grains->mass, points->mass);
-    join(all.force, grains->force, points->force);
-    join(all.contactForce, grains->contactForce, points->contactForce);
-    join(all.stressMoment, grains->stressMoment, points->stressMoment);
+    grainSnapshot::forEachField([&](const char*, const auto member)
+    {
+        join(all.*member, (*grains).*member, (*points).*member);
+    });
+    all.id = ids_;
 
     wordHashSet walls(grains->wallForce.toc());
     walls.insert(points->wallForce.toc());

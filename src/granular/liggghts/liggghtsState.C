@@ -261,6 +261,7 @@ Foam::autoPtr<Foam::grainSnapshot> Foam::liggghtsPhase::snapshot() const
     addContacts(*liggghts_, outlet_.images(), grains);
     if (hasClumps())
     {
+        clumps_.setAxes(grains);
         seeFromClumps(*liggghts_, grains);
     }
 

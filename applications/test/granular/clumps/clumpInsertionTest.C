@@ -162,6 +162,46 @@ void expectAsListed(const granularPhase& phase, const scalar tolerance)
 }
 
 
+//- The ellipsoid of each sphere has the second moments of its clump, turned as listed
+void expectTurnedAsListed(const granularPhase& phase)
+{
+    const auto grains(phase.snapshot());
+    label nSeen = 0;
+
+    forAll(grains->clump, i)
+    {
+        const vector& v = grains->orientation[i];
+        const vector& axes = grains->axes[i];
+        if (!grains->clump[i])
+        {
+            EXPECT_EQ(v, vector::zero);
+            EXPECT_EQ(axes, vector::one*grains->d[i]);
+            continue;
+        }
+
+        const placedClump clump(listed()[grains->clump[i] - 1]);
+        const bool stone = clump.kind == "stone";
+        const sphereUnion all
+        (
+            stone ? centres : otherCentres, stone ? radii() : otherRadii()
+        );
+        const symmTensor inertia(all.inertia()/all.volume());
+        const tensor own(0.5*tr(inertia)*tensor::I - tensor(inertia));
+        const tensor R(clump.orientation.R());
+        const tensor expected(R & own & R.T());
+
+        const tensor Q(quaternion(Foam::sqrt(1 - magSqr(v)), v).R());
+        const tensor diagonal
+        (
+            sqr(axes.x())/20, 0, 0, 0, sqr(axes.y())/20, 0, 0, 0, sqr(axes.z())/20
+        );
+        EXPECT_LT(mag((Q & diagonal & Q.T()) - expected), 1e-9*tr(expected));
+        ++nSeen;
+    }
+    EXPECT_EQ(returnReduce(nSeen, sumOp<label>()), 13);
+}
+
+
 testBox periodicBox()
 {
     testBox box;
@@ -176,6 +216,7 @@ void expectInsertedAsListed(const std::string& contacts)
     writeCase(w, listed());
     autoPtr<demCoupling> alone(new demCoupling(w.box().mesh(), vector(Zero)));
     expectAsListed(phaseOf(w), 1e-12);
+    expectTurnedAsListed(phaseOf(w));
     EXPECT_FALSE(alone->restarted());
 
     // At rest, and from a state
