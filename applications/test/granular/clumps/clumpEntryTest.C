@@ -149,6 +149,65 @@ void expectFeelsTheWater()
     EXPECT_NEAR(later.velocity.z() - all.velocity.z(), speed, 1e-9*mag(speed));
 }
 
+//- A horizontal face at z = 0.8 m, as LIGGGHTS reads it
+std::string faceAbove()
+{
+    std::ostringstream os;
+    os  << "solid face\n";
+    for (const char* third : {"0.7 0.4", "0.3 0.6"})
+    {
+        os  << "facet normal 0 0 1\nouter loop\n"
+            << "vertex 0.3 0.4 0.8\nvertex " << third << " 0.8\nvertex 0.7 0.6 0.8\n"
+            << "endloop\nendfacet\n";
+    }
+    os  << "endsolid face\n";
+    return os.str();
+}
+
+
+//- A stream of three through a face across the plane where ranks meet: they fly at its
+//  speed up to the face, and fall behind it
+void expectStreamIsWhole(const label restartAt)
+{
+    boxOfWater w("fluid none;");
+    w.write("face.stl", faceAbove());
+    placeNone
+    (
+        w,
+        "fix face all mesh/surface/planar file face.stl type 1\n"
+        "fix insertion all insert/stream seed 32452867 distributiontemplate stones"
+        " nparticles 3 particlerate 83.333334 insert_every 600 overlapcheck yes"
+        " orientation random vel constant 0 0 -5 insertion_face face\n"
+    );
+    autoPtr<demCoupling> alone(new demCoupling(w.box().mesh(), g));
+    label before = 0;
+
+    for (label k = 1; k < 35; ++k)
+    {
+        alone->moveGrains();
+        alone->locateGrains();
+        const granularPhase& phase = phaseOf(w);
+        const label n = before + phase.nEntered();
+        EXPECT_EQ(n, min((50*k - 1)/600 + 1, 3)) << k;
+        expectWhole(phase, n);
+        forAll(phase.velocity(), i)
+        {
+            const scalar speed = -phase.velocity()[i].z();
+            EXPECT_GE(speed, 5 - 1e-9);
+            EXPECT_LT(speed, 5 + mag(g)*k*interval + 1e-9);
+        }
+        if (k == restartAt)
+        {
+            EXPECT_TRUE(alone->write());
+            before = n;
+            alone.clear();
+            alone.reset(new demCoupling(w.box().mesh(), g));
+        }
+    }
+    testNumber("mean speed at the end", -wholeClumps(phaseOf(w)).velocity.z());
+    EXPECT_LT(wholeClumps(phaseOf(w)).velocity.z(), -5.02);
+}
+
 } // End anonymous namespace
 
 
@@ -222,4 +281,17 @@ TEST(clumpEntry, whatTheInitialScriptStartsLaterWaits)
     alone.moveGrains();
     expectWhole(phase, 2);
     EXPECT_EQ(phase.nEntered(), 1);
+}
+
+
+TEST(clumpEntry, comesInAsAStream)
+{
+    expectStreamIsWhole(0);
+    expectStreamIsWhole(3);
+}
+
+
+TEST(ParallelClumpEntry, comesInAsAStream)
+{
+    expectStreamIsWhole(3);
 }
