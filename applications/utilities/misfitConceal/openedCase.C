@@ -113,16 +113,19 @@ json verdictIn(const fileName& folder)
 //- The explanations of a set
 std::vector<alternative> alternativesOf(const json& verdict)
 {
-    const auto nameOf = [](const json& channel)
+    const auto nameIn = [](const json& fault, const char* key)
     {
-        return channel.is_null() ? std::string() : channel.get<std::string>();
+        return
+            fault.is_null() || fault[key].is_null()
+          ? std::string() : fault[key].get<std::string>();
     };
     std::vector<alternative> all;
     for (const json& one : verdict["alternatives"])
     {
+        const json& fault = one["fault"];
         all.push_back
         ({
-            one["mechanisms"], nameOf(one["channel"]), nameOf(one["partner"])
+            one["mechanisms"], nameIn(fault, "channel"), nameIn(fault, "partner")
         });
     }
     return all;

@@ -168,9 +168,15 @@ bool allNamed(Case c)
 //- The first of its mechanisms is in a set of indistinguishable ones
 bool hasTruthInSet(Case c)
 {
+    const auto isIt = [&c](const alternative& a)
+    {
+        return
+            a.channel.empty() && a.mechanisms.size() == 1
+         && a.mechanisms.front() == c.truth.front();
+    };
     return
         c.outcome == verdictKind::set && c.truth.size()
-     && statistics::contains(c.names, c.truth.front());
+     && std::any_of(c.alternatives.begin(), c.alternatives.end(), isIt);
 }
 
 

@@ -3,6 +3,7 @@
 // dimensionless numbers.
 
 #include "dimensionlessLaws.H"
+#include "lawFunctions.H"
 
 #include <cmath>
 
@@ -11,11 +12,6 @@ namespace
 
 using namespace Foam;
 using namespace Foam::misfit;
-
-const wordList dragGroups({"", "Re_p", "voidFraction"});
-
-const wordList pushGroups({"", "Fr", "Re", "voidFraction"});
-
 
 //- True if it is nonzero, or, beside a constant, if it varies
 bool isInformative(const vec& column, const bool beside)
@@ -29,7 +25,7 @@ bool isInformative(const vec& column, const bool beside)
 //- Functions of dimensionless numbers that the elements of a family may follow
 struct groupFunctions
 {
-    wordList groups;
+    const List<lawFunction>& functions;
 
     //- A row for each element, a column for each function
     mat values;
@@ -43,9 +39,9 @@ struct groupFunctions
         const HashTable<conditions>& water
     )
     :
-        groups(family == elementFamily::drag ? dragGroups : pushGroups),
-        values(mat::Zero(elements.size(), groups.size())),
-        middle(groups.size(), scalar(1))
+        functions(functionsOf(family)),
+        values(mat::Zero(elements.size(), functions.size())),
+        middle(functions.size(), scalar(1))
     {
         if (family == elementFamily::drag)
         {
@@ -124,7 +120,7 @@ struct groupFunctions
             }
         }
         labelList list;
-        for (label f = drag; f < groups.size() && own.size(); ++f)
+        for (label f = drag; f < functions.size() && own.size(); ++f)
         {
             if (isInformative(values.col(f)(own), drag))
             {
@@ -212,9 +208,10 @@ Foam::List<Foam::misfit::dimensionlessLaw> Foam::misfit::lawsOf
         law.combination = all.values(Eigen::all, functions);
         for (const label f : functions)
         {
-            if (!all.groups[f].empty())
+            const word& group = all.functions[f].group;
+            if (group.size())
             {
-                law.groups.append(all.groups[f]);
+                law.groups.append(group);
             }
             law.middle.append(all.middle[f]);
         }

@@ -2,6 +2,7 @@
 // A finding in words: the free correction and its laws.
 
 #include "words.H"
+#include "lawFunctions.H"
 
 #include <cmath>
 
@@ -69,17 +70,12 @@ Foam::string Foam::misfit::describe(const correctionElement& e, const scalar val
 Foam::string Foam::misfit::describe(const fittedLaw& l)
 {
     const bool drag = l.law.family == elementFamily::drag;
-    const wordList names
-    (
-        drag ? wordList({"factor", "Re_p", "voidFraction"})
-      : wordList({"always", "Fr2", "Fr2Re", "solid"})
-    );
     const bool against =
         !drag && l.law.functions.size() == 1 && l.coefficients[0] < 0;
     json functions = json::array();
     forAll(l.law.functions, i)
     {
-        const word& name = names[l.law.functions[i]];
+        const word& name = functionsOf(l.law.family)[l.law.functions[i]].name;
         const scalar c = (against ? -1 : 1)*l.coefficients[i];
         const scalar d = l.deviations[i];
         functions.push_back

@@ -17,7 +17,7 @@ using namespace Foam;
 using namespace Foam::misfit;
 
 //- Of the record: grows with each change of what its keys are or mean
-constexpr label schema = 2;
+constexpr label schema = 3;
 
 
 //- "nothing wrong", or the mechanism
@@ -51,10 +51,10 @@ string mostOften(const designRow& r)
 
 json rowRecord(const designRow& r)
 {
-    json others = json::object();
+    json others = json::array();
     for (const auto& [names, n] : r.others)
     {
-        others[inWords(names)] = r.share(n);
+        others.push_back({{"names", names}, {"fraction", r.share(n)}});
     }
     return
     {

@@ -268,6 +268,8 @@ std::string Foam::misfit::reportHtml
     {
         return {{"name", d.name}, {"why", describe(d)}};
     });
+    page["failedRuns"] =
+        each(f.failedRuns, [](const failedRun& run) { return describe(run); });
     page["explanations"] = f.explained.all().size();
     page["scored"] = scoredFirst(f);
     page["gates"] =

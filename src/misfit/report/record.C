@@ -3,6 +3,8 @@
 
 #include "record.H"
 #include "words.H"
+#include "adviceNames.H"
+#include "lawFunctions.H"
 
 #include <cmath>
 
@@ -94,15 +96,15 @@ json mechanisms(const hypothesis& h, const wordList& library)
 }
 
 
-//- One explanation of a set: its mechanisms, and the channel that it blames with the
-//  other one of an exchange; null where it blames none
-json alternative(const hypothesis& h, const wordList& library)
+//- An explanation: its mechanisms, the fault that it has, null for none, and whether
+//  something unknown is part of it
+json explanation(const hypothesis& h, const wordList& library)
 {
     return
     {
         {"mechanisms", mechanisms(h, library)},
-        {"channel", h.fault ? orNull(h.fault->channel) : json()},
-        {"partner", h.fault ? orNull(h.fault->partner) : json()}
+        {"fault", h.fault ? kindOfFault(*h.fault) : json()},
+        {"unknown", h.unknown}
     };
 }
 
@@ -178,12 +180,31 @@ json element(const freeElement& e)
 }
 
 
+//- The functions of a law, with the middle of their groups
+json functions(const fittedLaw& l)
+{
+    json all = json::array();
+    forAll(l.law.functions, i)
+    {
+        all.push_back
+        ({
+            {"name", functionsOf(l.law.family)[l.law.functions[i]].name},
+            {"coefficient", l.coefficients[i]},
+            {"deviation", l.deviations[i]},
+            {"middle", l.law.middle[i]}
+        });
+    }
+    return all;
+}
+
+
 json law(const fittedLaw& l)
 {
     return
     {
         {"family", familyNames[l.law.family]},
         {"groups", l.law.groups},
+        {"functions", functions(l)},
         {"words", describe(l)},
         {"lead", l.lead}
     };
@@ -231,13 +252,8 @@ json posterior(const finding& f)
     {
         if (w->probability > 1e-4)
         {
-            all.push_back
-            ({
-                {"mechanisms", mechanisms(w->what, f.library)},
-                {"fault", w->what.fault ? kindOfFault(*w->what.fault) : json()},
-                {"unknown", w->what.unknown},
-                {"probability", w->probability}
-            });
+            all.push_back(explanation(w->what, f.library));
+            all.back()["probability"] = w->probability;
         }
     }
     return all;
@@ -283,6 +299,67 @@ json droppedRecord(const droppedCandidate& d)
 }
 
 
+json numbersOf(const HashTable<scalar>& table)
+{
+    json all = json::object();
+    for (const word& name : table.sortedToc())
+    {
+        all[name] = table[name];
+    }
+    return all;
+}
+
+
+json failure(const failedRun& run)
+{
+    const runState& state = run.state;
+    return
+    {
+        {"experiment", state.experiment},
+        {"replicate", state.replicate},
+        {"resolution", state.resolution},
+        {"parameters", numbersOf(state.parameters)},
+        {"strengths", numbersOf(state.strengths)},
+        {"why", run.why}
+    };
+}
+
+
+//- What measurement would settle what is open: null where there is none. Channels: the
+//  one to record, or those that the answer depends on
+json adviceRecord(const finding& f)
+{
+    const advice& a = f.verdict.measure;
+    if (a.what == advice::kind::nothing)
+    {
+        return nullptr;
+    }
+    const bool isMeasure = a.what == advice::kind::measure;
+    json channels = json::array();
+    if (isMeasure)
+    {
+        channels.push_back(a.channel.name);
+    }
+    else if (a.what == advice::kind::check)
+    {
+        channels = each(f.tests.winners, [](const winner& w) { return w.channel; });
+    }
+    const auto described = [&f](const hypothesis& h)
+    {
+        return explanation(h, f.library);
+    };
+    return
+    {
+        {"kind", adviceNames[a.what]},
+        {"explanations", each(a.two, described)},
+        {"channels", channels},
+        {"at", isMeasure ? json(a.at) : json()},
+        {"times", isMeasure ? json(a.times) : json()},
+        {"words", adviceOf(f)}
+    };
+}
+
+
 //- A gate: what it is about, its number, and whether that must be below the limit or at
 //  least as large; channels without which another explanation wins; why a run failed.
 //  Numbers are in the unit of the gate, most of them without one
@@ -324,7 +401,7 @@ Foam::misfit::recordOf(const finding& f, const string& title)
     const auto where = [&f](const place& p) { return located(p, f.detection.data); };
     const auto members = [&f](const hypothesisFit& w)
     {
-        return alternative(w.what, f.library);
+        return explanation(w.what.known(), f.library);
     };
     const auto numbers = [&f](const gate& g) { return gateNumbers(g, f); };
     return
@@ -352,10 +429,10 @@ Foam::misfit::recordOf(const finding& f, const string& title)
         },
         {"posterior", posterior(f)},
         {"dropped", each(f.candidates.dropped, &droppedRecord)},
-        {"failedRuns", each(f.failedRuns, [](const auto& run) { return describe(run); })},
+        {"failedRuns", each(f.failedRuns, &failure)},
         {"correctedCase", f.verdict.state ? json(correctedCase) : json()},
         {"apart", apart(f)},
-        {"advice", adviceOf(f)},
+        {"advice", adviceRecord(f)},
         {"statesRequested", f.nRuns}
     };
 }

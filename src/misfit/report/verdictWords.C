@@ -105,7 +105,12 @@ string alternatives(const finding& f)
     const std::vector<hypothesisFit>& all = f.verdict.alternatives;
     if (std::none_of(all.begin(), all.end(), isMixed))
     {
-        return inWords(answerOf(f), "or");
+        wordList names;
+        for (const hypothesisFit& w : all)
+        {
+            names.append(word(describe(w.what.known(), f.library), false));
+        }
+        return inWords(names, "or");
     }
     return joined(all, ", or ", [&f](const hypothesisFit& w)
     {
@@ -237,10 +242,28 @@ void addLeftOut(json& facts, const finding& f)
 Foam::wordList Foam::misfit::answerOf(const finding& f)
 {
     wordList names(f.verdict.names);
+    const auto add = [&names](const word& name)
+    {
+        if (!names.found(name))
+        {
+            names.append(name);
+        }
+    };
     for (const hypothesisFit& w : f.verdict.alternatives)
     {
-        // As where one is named, names are of mechanisms and faults
-        names.append(word(describe(w.what.known(), f.library), false));
+        const hypothesis& h = w.what;
+        for (const int m : h.mechanisms)
+        {
+            add(f.library[m]);
+        }
+        if (h.fault)
+        {
+            add(h.fault->channel);
+        }
+        if (h.fault && h.fault->kind == faultKind::swapped)
+        {
+            add(h.fault->partner);
+        }
     }
     return names;
 }

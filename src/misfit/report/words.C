@@ -2,6 +2,7 @@
 // A finding in words: its parts.
 
 #include "words.H"
+#include "adviceNames.H"
 #include "shortNumber.H"
 #include "units.H"
 
@@ -203,8 +204,6 @@ Foam::string Foam::misfit::describe(const failedRun& r)
 Foam::string Foam::misfit::adviceOf(const finding& f)
 {
     const advice& a = f.verdict.measure;
-    const char* const kinds[] =
-        {"nothing", "notRun", "measure", "elsewhere", "check"};
     const auto name = [&](const label i)
     {
         return i < count(a.two) ? describe(a.two[i], f.library) : string();
@@ -213,7 +212,7 @@ Foam::string Foam::misfit::adviceOf(const finding& f)
     (
         "advice",
         {
-            {kinds[int(a.what)], true},
+            {adviceNames[a.what], true},
             {"one", name(0)},
             {"other", name(1)},
             {"channel", a.channel.name},

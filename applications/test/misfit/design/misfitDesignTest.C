@@ -412,12 +412,21 @@ TEST(misfitDesign, itIsReadByProgramsAndPeople)
     d.channels = {"P1", "P2"};
     d.probability = 0.8;
     d.rows.append({"", 0, 1, 20, 1, 0, 0, 1, {{names{"leak"}, 1}}});
-    d.rows.append({"drag", 0.5, 1, 20, 19, 8, 4, 2, {{names{"leak"}, 5}, {names{"slurry"}, 1}}});
+
+    // A channel whose name looks like a pair is not taken for it
+    d.rows.append({"drag", 0.5, 1, 20, 19, 8, 4, 2, {}});
+    d.rows.last().others =
+        {{names{"leak"}, 5}, {names{"a", "b"}, 2}, {names{word("a and b", false)}, 1}};
     d.rows.append({"drag", 0.5, 3, 20, 20, 18, 1, 0, {}});
     d.options.append({"P3", {}, 0.4, 0.75, {0.2, 0.5}});
     const json all(designRecord(d, "a case"));
     EXPECT_EQ(all["rows"][1]["named"], 0.4);
-    EXPECT_EQ(all["rows"][1]["others"]["leak"], 0.25);
+    const json& others = all["rows"][1]["others"];
+    ASSERT_EQ(others.size(), 3);
+    EXPECT_EQ(others[0]["names"], json::array({"a", "b"}));
+    EXPECT_EQ(others[0]["fraction"], 0.1);
+    EXPECT_EQ(others[2]["names"], json::array({"leak"}));
+    EXPECT_EQ(others[2]["fraction"], 0.25);
     EXPECT_EQ(all["repeatsNeeded"][0]["repeats"], 3);
     EXPECT_EQ(all["options"][0]["channel"], "P3");
     EXPECT_TRUE(json::accept(all.dump()));

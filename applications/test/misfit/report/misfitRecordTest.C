@@ -55,21 +55,122 @@ TEST(misfitRecord, theRecordIsOfItsSchemaAndReadsBackAsItWasFound)
 }
 
 
-TEST(misfitRecord, theRecordOfASetHasTheMembersOfEach)
+TEST(misfitRecord, theRecordOfASetHasItsExplanationsAndEachNameOnce)
 {
     finding f(found());
     f.verdict.kind = verdictKind::set;
     f.verdict.names.clear();
     hypothesisFit fault;
     fault.what.fault = possibleFaults(f.detection.data, {faultKind::gain}).front();
-    f.verdict.alternatives = {mechanisms({0, 1}), fault};
-    const auto all = nlohmann::json::parse(verdictJson(f, "case"))["alternatives"];
-    ASSERT_EQ(all.size(), 2);
+    f.verdict.alternatives = {mechanisms({0, 1}), mechanisms({1}), fault};
+    const auto j = nlohmann::json::parse(verdictJson(f, "case"));
+    EXPECT_EQ(j["names"], nlohmann::json({"porePressure", "walls", "P1"}));
+    const auto& all = j["alternatives"];
+    ASSERT_EQ(all.size(), 3);
     EXPECT_EQ(all[0]["mechanisms"], nlohmann::json({"porePressure", "walls"}));
-    EXPECT_TRUE(all[0]["channel"].is_null());
-    EXPECT_TRUE(all[1]["mechanisms"].empty());
-    EXPECT_EQ(all[1]["channel"], "P1");
-    EXPECT_TRUE(all[1]["partner"].is_null());
+    EXPECT_TRUE(all[0]["fault"].is_null());
+    EXPECT_TRUE(all[2]["mechanisms"].empty());
+    EXPECT_EQ(all[2]["fault"]["channel"], "P1");
+    EXPECT_EQ(all[2]["fault"]["kind"], "gain");
+    EXPECT_TRUE(all[2]["fault"]["partner"].is_null());
+
+    // Both channels of an exchange, and the sentence has what each explanation is called
+    f.verdict.alternatives.back().what.fault =
+        possibleFaults(f.detection.data, {faultKind::swapped}).front();
+    EXPECT_EQ(answerOf(f), wordList({"porePressure", "walls", "P1", "P2"}));
+    expectHolds(describe(f), "or swapped of P1 with P2");
+}
+
+
+TEST(misfitRecord, adviceHasItsKindAndWhatItIsAbout)
+{
+    finding f(found());
+    const auto record = [&f]()
+    {
+        return nlohmann::json::parse(verdictJson(f, "case"))["advice"];
+    };
+    EXPECT_TRUE(record().is_null());
+
+    advice& a = f.verdict.measure;
+    a.what = advice::kind::measure;
+    a.two = {mechanisms({0}).what, mechanisms({1}).what};
+    a.channel = f.detection.data.segments[1];
+    a.at = 1.5;
+    a.times = 4;
+    const nlohmann::json measured(record());
+    EXPECT_EQ(measured["kind"], "measure");
+    EXPECT_EQ(measured["explanations"][1]["mechanisms"][0], "walls");
+    EXPECT_EQ(measured["channels"], nlohmann::json::array({"P2"}));
+    EXPECT_EQ(measured["at"], 1.5);
+    EXPECT_EQ(measured["times"], 4);
+    EXPECT_EQ(measured["words"], adviceOf(f));
+    expectHolds(reportHtml(f, today(), {}), "<p>Measure P2: at 1.5 s, porePressure");
+
+    a = advice();
+    a.what = advice::kind::check;
+    f.tests.winners = {{"P1", mechanisms({1})}};
+    const nlohmann::json checked(record());
+    EXPECT_EQ(checked["kind"], "check");
+    EXPECT_EQ(checked["channels"], nlohmann::json::array({"P1"}));
+    EXPECT_TRUE(checked["at"].is_null());
+    EXPECT_TRUE(checked["explanations"].empty());
+}
+
+
+TEST(misfitRecord, aNamedLawHasItsNumbers)
+{
+    finding f(found());
+    f.correction.isRequested = true;
+    fittedLaw l;
+    l.law.family = elementFamily::drag;
+    l.law.groups = {"Re_p"};
+    l.law.functions = {0, 1};
+    l.law.middle = {1, 30};
+    l.coefficients = vec::Constant(2, -0.25);
+    l.deviations = vec::Constant(2, 0.125);
+    l.lead = 7;
+    f.correction.laws.append(l);
+    l.law.family = elementFamily::push;
+    l.law.functions = {3};
+    f.correction.laws.append(l);
+    const auto laws =
+        nlohmann::json::parse(verdictJson(f, "case"))["freeCorrection"]["laws"];
+    const nlohmann::json& functions = laws[0]["functions"];
+    ASSERT_EQ(functions.size(), 2);
+    EXPECT_EQ(functions[0]["name"], "factor");
+    EXPECT_EQ(functions[0]["middle"], 1);
+    EXPECT_EQ(functions[1]["name"], "Re_p");
+    EXPECT_EQ(functions[1]["coefficient"], -0.25);
+    EXPECT_EQ(functions[1]["deviation"], 0.125);
+    EXPECT_EQ(functions[1]["middle"], 30);
+    EXPECT_EQ(laws[1]["functions"][0]["name"], "solid");
+
+}
+
+
+TEST(misfitRecord, aFailedRunHasItsStateAndWhy)
+{
+    finding f(found());
+    runState state;
+    state.experiment = "B";
+    state.replicate = 2;
+    state.resolution = "mesh";
+    state.parameters.set("friction", 0.5);
+    state.strengths.set("walls", 0.25);
+    f.failedRuns.append({state, "out of memory"});
+    const auto run = nlohmann::json::parse(verdictJson(f, "case"))["failedRuns"][0];
+    EXPECT_EQ(run["experiment"], "B");
+    EXPECT_EQ(run["replicate"], 2);
+    EXPECT_EQ(run["resolution"], "mesh");
+    EXPECT_EQ(run["parameters"]["friction"], 0.5);
+    EXPECT_EQ(run["strengths"]["walls"], 0.25);
+    EXPECT_EQ(run["why"], "out of memory");
+    expectHolds
+    (
+        reportHtml(f, today(), {}),
+        "<td>experiment B, friction 0.5, walls 0.25, replicate 2, other mesh:"
+        " out of memory"
+    );
 }
 
 

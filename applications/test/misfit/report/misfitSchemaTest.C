@@ -2,8 +2,10 @@
 // verdict.json of each kind of verdict is as its schema states, and the schema refuses
 // what is wrong.
 
+#include "adviceNames.H"
 #include "correctedWorld.H"
 #include "jsonSchema.H"
+#include "lawFunctions.H"
 #include "report.H"
 #include "worldDiagnosis.H"
 
@@ -109,11 +111,9 @@ TEST(misfitSchema, eachKindOfVerdictIsOfIt)
     {
         const nlohmann::json record(written(diagnose(*kind.first)));
         EXPECT_EQ(record["verdict"], kind.second);
-        EXPECT_EQ
-        (
-            record["alternatives"].size(),
-            record["verdict"] == "set" ? record["names"].size() : 0
-        );
+        const bool isSet = record["verdict"] == "set";
+        EXPECT_EQ(record["alternatives"].empty(), !isSet);
+        EXPECT_EQ(record["advice"].is_null(), !isSet);
         expectOfSchema(ofVerdict, record);
     }
 }
@@ -129,7 +129,11 @@ TEST(misfitSchema, aFreeCorrectionAndItsLawsAreOfIt)
     correctedWorld w(push, HashTable<scalar>(), 500);
     const nlohmann::json record(written(misfit::diagnose(w, set)));
     EXPECT_FALSE(record["freeCorrection"]["elements"].empty());
-    EXPECT_FALSE(record["freeCorrection"]["laws"].empty());
+    const nlohmann::json& laws = record["freeCorrection"]["laws"];
+    ASSERT_FALSE(laws.empty());
+    const nlohmann::json& function = laws[0]["functions"][0];
+    EXPECT_NE(function["coefficient"], 0);
+    EXPECT_GT(function["deviation"], 0);
     expectOfSchema(ofVerdict, record);
 }
 
@@ -144,7 +148,9 @@ TEST(misfitSchema, runsThatFailAreOfIt)
     set.commonRandomNumbers = 2;
     const nlohmann::json record(written(diagnose(s, set)));
     EXPECT_FALSE(record["dropped"].empty());
-    EXPECT_FALSE(record["failedRuns"].empty());
+    ASSERT_FALSE(record["failedRuns"].empty());
+    EXPECT_EQ(record["failedRuns"][0]["experiment"], "A");
+    EXPECT_EQ(record["failedRuns"][0]["resolution"], "base");
     expectOfSchema(ofVerdict, record);
 }
 
@@ -182,8 +188,12 @@ TEST(misfitSchema, aWrongRecordIsRefused)
     // As of a set
     wrong = right;
     wrong["alternatives"] =
-        {{{"mechanisms", {"porePressure"}}, {"channel", nullptr}, {"partner", nullptr}}};
+        {{{"mechanisms", {"porePressure"}}, {"fault", nullptr}, {"unknown", false}}};
     expectRefused(wrong, "conditional");
+
+    wrong = right;
+    wrong["advice"] = "Measure P3";
+    expectRefused(wrong, "advice");
 
     wrong = right;
     wrong["strengths"][0].erase("deviation");
@@ -223,5 +233,23 @@ TEST(misfitSchema, itHasTheWordsThatTheProgramHas)
     const nlohmann::json& dropped = s["properties"]["dropped"]["items"]["properties"];
     expectSameWords(dropped["reason"], dropReasonNames);
     expectWords(s["definitions"]["faultKind"], statistics::faultNames());
+    wordList kinds;
+    for (const word& kind : adviceNames.names())
+    {
+        if (adviceNames[kind] != advice::kind::nothing)
+        {
+            kinds.append(kind);
+        }
+    }
+    expectWords(s["definitions"]["advice"]["properties"]["kind"], kinds);
+    wordList functions;
+    for (const elementFamily family : {elementFamily::drag, elementFamily::push})
+    {
+        for (const lawFunction& function : functionsOf(family))
+        {
+            functions.append(function.name);
+        }
+    }
+    expectWords(s["definitions"]["lawFunction"]["properties"]["name"], functions);
     EXPECT_EQ(s["properties"]["schema"]["const"], recordSchema);
 }
