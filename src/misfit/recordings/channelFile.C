@@ -6,6 +6,7 @@
 #include "numberTable.H"
 #include "OSspecific.H"
 #include "OStringStream.H"
+#include "recordedSource.H"
 #include "units.H"
 
 #include <algorithm>
@@ -260,7 +261,7 @@ Foam::misfit::recordedFile Foam::misfit::channel::readFile
     series all;
     all.x = readColumn(dict, table, xColumn, overTime() ? "time" : "length", "x");
     all.y = readColumn(dict, table, yColumn, samples.quantity, "");
-    return {table.file + ':' + table.names[yColumn], inOrder(dict, table, all)};
+    return {sourceOf(table.file, table.names[yColumn]), inOrder(dict, table, all)};
 }
 
 

@@ -2,6 +2,7 @@
 // Writes what a diagnosis found.
 
 #include "report.H"
+#include "recordedSource.H"
 #include "textFile.H"
 #include "words.H"
 
@@ -36,11 +37,7 @@ stringList experimentRow(const recordings& all, const word& name)
             add(row[1 + label(c.use)], c.name + times);
             for (const recordedFile& f : c.files)
             {
-                const size_t end = f.source.rfind(':');
-                const fileName file
-                (
-                    end == std::string::npos ? string() : f.source.substr(0, end)
-                );
+                const fileName file(fileOfSource(f.source));
                 if (file.size() && files.insert(file.name()))
                 {
                     add(row[4], file.name());

@@ -3,6 +3,7 @@
 
 #include "recordedFiles.H"
 #include "recordings.H"
+#include "report.H"
 #include "terminalOutput.H"
 
 #include "IStringStream.H"
@@ -67,6 +68,20 @@ std::string channels
 const std::string twoChannels(channels());
 
 } // End anonymous namespace
+
+
+TEST(misfitRecordings, theReportHasTheirFilesWhateverColumnsAndValuesAreCalled)
+{
+    const twoFiles f
+    (
+        "channels { S1 {" + pressure + "file \"a.csv\"; column \"0:p\"; unit Pa; } a:b {"
+      + pressure + "value 3; unit Pa; } }",
+        "t_s,0:p\n0,1\n1,2\n2,4\n"
+    );
+    const stringList row(originOf("a case", f.read(), {}).experiments.first());
+    EXPECT_EQ(row[1], "S1, a:b");
+    EXPECT_EQ(row[4], "a.csv");
+}
 
 
 TEST(misfitRecordings, heldOutChannelsAreNotFitted)
