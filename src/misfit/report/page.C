@@ -74,8 +74,9 @@ void addAnswer(json& page, const finding& f)
     page["sure"] = percentWords(f.verdict.confidence) + ' ' + sureThat(f);
     page["notScored"] = joined(f.candidates.dropped, ", ", [](const droppedCandidate& d)
     {
-        const string why(describe(d));
-        return d.name + " (" + why.substr(0, why.find(':')) + ')';
+        droppedCandidate brief(d);
+        brief.failure.clear();
+        return d.name + " (" + describe(brief) + ')';
     });
     page["heldOut"] = each(f.held(), [&f](const heldOut& h)
     {

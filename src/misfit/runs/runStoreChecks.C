@@ -11,10 +11,6 @@
 #include "OSspecific.H"
 #include "stringOps.H"
 
-//- In a decomposeParDict that etc/cutAlong wrote
-static const char* const cutByUs = "// Cuts along the chute";
-
-
 void Foam::misfit::runStore::checkPrograms() const
 {
     for (const string& c : commands_)
@@ -67,20 +63,21 @@ void Foam::misfit::runStore::checkSamePrograms(const List<runRequest>& runs)
 void Foam::misfit::runStore::checkCut() const
 {
     const fileName file(template_.folder/"system"/"decomposeParDict");
-    const string text(contentOf(file));
-
-    if (ranks_ > 1 && text.size() && text.find(cutByUs) == string::npos)
+    if (ranks_ == 1 || !isFile(file, false))
     {
-        const label n =
-            dictionary(IFstream(file)()).get<label>("numberOfSubdomains");
+        return;
+    }
 
-        if (n != ranks_)
-        {
-            FatalErrorInFunction
-                << file << " cuts the case into " << n << " parts, and ranks in "
-                << dictName_ << " is " << ranks_ << ". Let them be the same, or"
-                << " remove the file: it is cut along x then" << exit(FatalError);
-        }
+    // That of etc/cutAlong is written again for each number of ranks
+    IFstream is(file);
+    const dictionary cut(is);
+    const label n = cut.get<label>("numberOfSubdomains");
+    if (n != ranks_ && cut.getOrDefault<word>("cutBy", "") != "cutAlong")
+    {
+        FatalErrorInFunction
+            << file << " cuts the case into " << n << " parts, and ranks in "
+            << dictName_ << " is " << ranks_ << ". Let them be the same, or"
+            << " remove the file: it is cut along x then" << exit(FatalError);
     }
 }
 

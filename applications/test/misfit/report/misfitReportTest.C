@@ -182,6 +182,8 @@ TEST(misfitReport, theTopStatesWhatWasNotScored)
             " differs the other way in what it changes)."
         )
     );
+    f.candidates.dropped[0].failure.clear();
+    EXPECT_EQ(describe(f.candidates.dropped[0]), "the solver failed with it");
 }
 
 

@@ -141,10 +141,20 @@ TEST(misfitRuns, aCaseThatIsCutIntoOtherPartsThanRanksIsRefused)
         refusal([&]() { const fakePredictor p(c, "ranks 2; "); }),
         "into 4 parts, and ranks"
     );
-    c.write
+
+    // The script writes its own again, and leaves that of another
+    const fileName cutAlong(fileName("$INTERDEMFOAM_DIR/etc/cutAlong").expand());
+    const std::string script
     (
-        "system/decomposeParDict",
-        "// Cuts along the chute\nnumberOfSubdomains 4; method simple;\n"
+        "cd '" + c.folder() + "' && . '" + cutAlong + "' && cutAlong 4"
+    );
+    ASSERT_EQ(Foam::system(script), 0);
+    EXPECT_THROW(fakePredictor(c, "ranks 2; "), Foam::error);
+    rm(c.folder()/"system/decomposeParDict");
+    ASSERT_EQ(Foam::system(script), 0);
+    expectHolds
+    (
+        contentOf(c.folder()/"system/decomposeParDict"), "numberOfSubdomains 4;"
     );
     EXPECT_NO_THROW(fakePredictor(c, "ranks 2; "));
 }
