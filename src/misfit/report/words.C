@@ -6,11 +6,23 @@
 #include "shortNumber.H"
 #include "units.H"
 
+#include "Enum.H"
+
 namespace
 {
 
 using namespace Foam;
 using namespace Foam::misfit;
+
+const Enum<statistics::phase> phaseNames
+({
+    {statistics::phase::before, "before"},
+    {statistics::phase::front, "front"},
+    {statistics::phase::body, "body"},
+    {statistics::phase::tail, "tail"},
+    {statistics::phase::after, "after"}
+});
+
 
 const char* axisOf(const segment& s)
 {
@@ -130,10 +142,9 @@ Foam::string Foam::misfit::phaseOf
     const window& w
 )
 {
-    const char* const phases[] = {"before", "front", "body", "tail", "after"};
     return
-        s.overTime ? phases[int(statistics::phaseOf(s, y, w.begin, w.end))]
-      : s.isNumber() ? "number" : "profile";
+        s.overTime ? phaseNames[statistics::phaseOf(s, y, w.begin, w.end)]
+      : word(s.isNumber() ? "number" : "profile");
 }
 
 
