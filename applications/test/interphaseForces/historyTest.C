@@ -7,6 +7,7 @@
 #include "testMesh.H"
 #include "testNumber.H"
 
+#include "IFstream.H"
 #include "IStringStream.H"
 #include "Pstream.H"
 #include "OSspecific.H"
@@ -267,6 +268,88 @@ TEST(history, slowsASphereThatIsLetGoAsTheEquationHasIt)
     const scalar alone = drive/K*(1 - std::exp(-K/m*60*interval));
     testNumber("velocity over that without history", v/alone);
     EXPECT_LT(v/alone, 0.9);
+}
+
+
+TEST(ParallelHistory, thePastIsWrittenInPiecesAndReadInShares)
+{
+    // On each rank more than one piece
+    const label nRanks = Pstream::nProcs();
+    const label nGrains = 10000*nRanks;
+    const fileName folder("historyTest.pieces");
+    mkDir(folder);
+    grainState state;
+    state.d = d;
+    state.rho = rho;
+    state.mu = mu;
+    const auto grainsOf = [&](const label turn)
+    {
+        List<locatedGrain> here;
+        for (label id = 1; id <= nGrains; ++id)
+        {
+            if ((id + turn) % nRanks == Pstream::myProcNo())
+            {
+                here.append(locatedGrain());
+                here.last().id = id;
+            }
+        }
+        return here;
+    };
+    const auto advance = [&](historyForce& h, const label turn, const label k)
+    {
+        const List<locatedGrain> here(grainsOf(turn));
+        h.begin(here, interval);
+        vectorField forces(here.size());
+        forAll(here, i)
+        {
+            state.slip = vector(here[i].id, k*k, 1);
+            forces[i] = h.force(here[i].id, state);
+        }
+        return forces;
+    };
+    const auto piecesOf = [&]()
+    {
+        IFstream is(folder/"history", IOstream::BINARY);
+        scalarList times;
+        List<labelList> ids;
+        is >> times >> ids;
+        return ids;
+    };
+
+    historyForce through(entries("window 0.1;"));
+    advance(through, 0, 0);
+    advance(through, 0, 1);
+    const bool complete = through.write(folder);
+    EXPECT_TRUE(complete);
+    if (Pstream::master())
+    {
+        const List<labelList> pieces(piecesOf());
+        EXPECT_EQ(pieces.size(), 2*nRanks);
+        label n = 0;
+        for (const labelList& piece : pieces)
+        {
+            EXPECT_LE(piece.size(), 8192);
+            n += piece.size();
+        }
+        EXPECT_EQ(n, nGrains);
+    }
+
+    // The grains have changed their ranks where the run goes on
+    historyForce goesOn(entries("window 0.1;"));
+    goesOn.read(folder);
+    const vectorField expected(advance(through, 1, 2));
+    EXPECT_EQ(advance(goesOn, 1, 2), expected);
+    EXPECT_GT(gMax(mag(expected)()), 0);
+
+    // What is read is shared out before a grain is known
+    historyForce first(entries("window 0.1;"));
+    first.read(folder);
+    EXPECT_TRUE(first.write(folder));
+    if (Pstream::master())
+    {
+        EXPECT_EQ(piecesOf().size(), 2*nRanks);
+        rmDir(folder);
+    }
 }
 
 

@@ -3,12 +3,7 @@
 
 #include "historyForce.H"
 
-#include "IFstream.H"
-#include "OFstream.H"
-#include "OSspecific.H"
-#include "Pstream.H"
 #include "closure.H"
-#include "foamCompatibility.H"
 #include "mathematicalConstants.H"
 
 #include <cmath>
@@ -18,9 +13,6 @@ namespace
 
 //- Distance of the exponentials in the logarithm of x: to 5e-4 of the kernel
 constexpr Foam::scalar step = 0.6;
-
-//- The file of the past, in the folder of the grains' state
-const Foam::word fileOfPast("history");
 
 //- Basset's factor, 3/2 d^2 sqrt(pi rho mu) [kg/sqrt(s)]
 Foam::scalar factor(const Foam::grainState& state)
@@ -94,93 +86,6 @@ void Foam::historyForce::makeExponentials(const scalar interval)
     if (weights_.size())
     {
         weights_.last() *= 1 + 1/(std::exp(step) - 1);
-    }
-}
-
-
-bool Foam::historyForce::write(const fileName& folder) const
-{
-    if (!isOn())
-    {
-        return true;
-    }
-
-    DynamicList<label> ourIds;
-    DynamicList<vector> ourNumbers;
-    for (const label id : past_.sortedToc())
-    {
-        ourIds.append(id);
-        ourNumbers.append(past_[id]);
-    }
-    List<labelList> ids(Pstream::nProcs());
-    List<vectorList> numbers(Pstream::nProcs());
-    ids[Pstream::myProcNo()].transfer(ourIds);
-    numbers[Pstream::myProcNo()].transfer(ourNumbers);
-    Pstream::gatherList(ids);
-    Pstream::gatherList(numbers);
-    if (!Pstream::master())
-    {
-        return true;
-    }
-
-    const fileName aside(folder/fileOfPast + ".incomplete");
-    {
-        OFstream os(aside, IOstream::BINARY);
-        os << scalarList({interval_, window_}) << ids << numbers;
-        os.flush();
-        if (!os.good())
-        {
-            return false;
-        }
-    }
-    return mv(aside, folder/fileOfPast);
-}
-
-
-void Foam::historyForce::read(const fileName& folder)
-{
-    if (!isOn())
-    {
-        return;
-    }
-
-    // One rank knows all of it; follow() brings it to the others
-    bool there = true;
-    if (Pstream::master())
-    {
-        there = isFile(folder/fileOfPast, false);
-        if (there)
-        {
-            IFstream is(folder/fileOfPast, IOstream::BINARY);
-            scalarList times;
-            List<labelList> ids;
-            List<vectorList> numbers;
-            is >> times >> ids >> numbers;
-            readInterval_ = times[0];
-            there = times[1] == window_;
-            forAll(ids, rank)
-            {
-                const label n = there ? ids[rank].size() : 0;
-                for (label i = 0; i < n; ++i)
-                {
-                    const label width = numbers[rank].size()/n;
-                    past_.insert
-                    (
-                        ids[rank][i],
-                        vectorList
-                        (
-                            SubList<vector>(numbers[rank], width, i*width)
-                        )
-                    );
-                }
-            }
-        }
-    }
-    compatibility::broadcast(readInterval_);
-    if (!returnReduce(there, andOp<bool>()))
-    {
-        Info<< "History force: no past of this window is in " << folder
-            << "; it starts again from zero" << endl;
     }
 }
 
