@@ -115,12 +115,22 @@ json scoredFirst(const finding& f)
 //- Why a gate was left out; empty if it was not
 string causeOfNoTest(const misfit::gate& g, const hypothesis& judged)
 {
-    return
-        g.applies ? ""
-      : judged.isOnlyUnknown() ? "not tested: the answer has no known cause"
-      : g.kind == gateKind::adequacy && judged.unknown
-      ? "not tested: the answer has something unknown, which takes up what is left"
-      : "nothing to test";
+    if (g.applies)
+    {
+        return string();
+    }
+    const bool isOfNothingKnown = judged.isOnlyUnknown();
+    const bool isTakenUp =
+        !isOfNothingKnown && g.kind == gateKind::adequacy && judged.unknown;
+    return renderTemplate
+    (
+        "noTest",
+        {
+            {"nothingKnown", isOfNothingKnown},
+            {"takenUp", isTakenUp},
+            {"nothing", !isOfNothingKnown && !isTakenUp}
+        }
+    );
 }
 
 
@@ -129,10 +139,11 @@ json gateRow(const misfit::gate& g, const finding& f)
 {
     json row(gateWords(g, f));
     row["why"] = causeOfNoTest(g, f.best().what);
-    row["outcome"] =
-        g.passed ? "passed"
-      : g.kind == gateKind::detection ? "no misfit beyond chance" : "failed";
-
+    row["outcome"] = renderTemplate
+    (
+        "gateOutcome",
+        {{"passed", g.passed}, {"detection", g.kind == gateKind::detection}}
+    );
     return row;
 }
 

@@ -274,7 +274,7 @@ Foam::string Foam::misfit::describe(const finding& f)
     const correctionFit& c = f.correction;
     if (c.named)
     {
-        return "Left out, and in no candidate: " + describe(c);
+        return renderTemplate("namedLaw", {{"correction", describe(c)}});
     }
     const bool detected = f.tests.gates.passed(gateKind::detection);
     const bool isNamed = f.verdict.kind == verdictKind::named;

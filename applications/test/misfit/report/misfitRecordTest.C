@@ -145,6 +145,10 @@ TEST(misfitRecord, aNamedLawHasItsNumbers)
     EXPECT_EQ(functions[1]["middle"], 30);
     EXPECT_EQ(laws[1]["functions"][0]["name"], "solid");
 
+    f.correction.explained = true;
+    f.correction.named = true;
+    expectHolds(describe(f), "Left out, and in no candidate: It acts like the drag");
+    expectHolds(templateText("words"), "Left out, and in no candidate: ");
 }
 
 

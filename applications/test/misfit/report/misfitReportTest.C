@@ -210,6 +210,13 @@ TEST(misfitReport, aGateThatCouldNotBeEvaluatedDiffersFromOneWithNothingToEvalua
     const std::string unknown(reportHtml(f, today(), {}));
     EXPECT_TRUE(contains(unknown, "not tested: the answer has no known cause"));
     EXPECT_FALSE(contains(unknown, "nothing to test"));
+
+    // Who edits sentences finds all of them in one file
+    const std::string sentences(templateText("words"));
+    for (const char* words : {"not tested: ", "nothing to test", "no misfit beyond"})
+    {
+        expectHolds(sentences, words);
+    }
 }
 
 
