@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 using namespace Foam;
 using namespace Foam::misfit;
 
@@ -213,7 +215,17 @@ TEST(misfitSensorFault, anExchangeIsNotNamedWhereRivalsDisagreeAboutThePartner)
     worldSampler s(truth(-1, 0), 300, added);
     s.addGaugeBesideP2(2000);
     const finding f(diagnose(s, set));
-    expectAnswer(f, "set", {"swapped of P1 with P2", "swapped of P1 with P2b"});
+    expectAnswer(f, "set", {"P1", "P2", "P2b"});
+    ASSERT_EQ(f.verdict.alternatives.size(), 2);
+    std::set<std::string> partners;
+    for (const hypothesisFit& w : f.verdict.alternatives)
+    {
+        ASSERT_TRUE(w.what.fault);
+        EXPECT_EQ(w.what.fault->kind, faultKind::swapped);
+        EXPECT_EQ(w.what.fault->channel, "P1");
+        partners.insert(w.what.fault->partner);
+    }
+    EXPECT_EQ(partners, std::set<std::string>({"P2", "P2b"}));
     EXPECT_FALSE(passes(f, "gap"));
 }
 
