@@ -3,6 +3,25 @@
 
 #include "couplingChecks.H"
 
+namespace
+{
+
+//- Solid fraction of its cell below which a grain is alone [-]: above it, drag laws of
+//  suspensions have the water that the others drag
+constexpr Foam::scalar largestAlone = 0.01;
+
+//- In the error of a lone grain's velocity, diameter/sqrt(sqr(cell/1.59) +
+//  sqr(width/0.40)) [-]: Stokes flow by the drag on one cell and over a bell, that of its
+//  gathering included (README.md of interphaseForces)
+constexpr Foam::scalar cellOverSize = 1.59;
+constexpr Foam::scalar widthOverSize = 0.40;
+
+//- Error of the velocity from which a run warns [-]: that of good drag laws is larger
+constexpr Foam::scalar warnedError = 0.02;
+
+} // End anonymous namespace
+
+
 Foam::scalar Foam::warnOfLargeGrains
 (
     const grainExchange& exchange,
@@ -70,21 +89,19 @@ void Foam::warnOfSlowGrains
         // faster ones leave what they have dragged behind
         if
         (
-            grain.mobile && solidFraction[grain.cell] < 0.01
+            grain.mobile && solidFraction[grain.cell] < largestAlone
          && rho*speed*cell < mu
         )
         {
-            // Stokes flow by the drag on one cell and over a bell, that of its
-            // gathering included: README.md of interphaseForces
             const scalar width =
                 mapping.ofMomentum().width(mapping.sizeClass(i));
-            const scalar size = sqrt(sqr(cell/1.59) + sqr(width/0.40));
+            const scalar size = sqrt(sqr(cell/cellOverSize) + sqr(width/widthOverSize));
             most = max(most, pow3(coarseGraining)*d/size);
         }
     }
     reduce(most, maxOp<scalar>());
 
-    if (most > 0.02)
+    if (most > warnedError)
     {
         WarningInFunction
             << "Grains that are alone and slow move up to " << 100*most

@@ -24,6 +24,20 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
+//- Band around the first reading that a quiet channel stays in, over its range [-]: noise
+//  is mostly within, a surge leaves it at once
+constexpr scalar quietBand = 0.05;
+
+//- Share of the quiet readings that counts [-]: the last ones may rise already
+constexpr scalar shareOfQuiet = 0.8;
+
+//- Fewest quiet readings that show noise and memory: the deviation is known to a tenth
+constexpr label leastQuiet = 40;
+
+//- Largest correlation of neighbours [-]: with 1 the memory would be without end
+constexpr scalar mostAlike = 0.999;
+
+
 //- Divides what was recorded into about n samples
 void takeSamples(channel& c, const label n)
 {
@@ -74,14 +88,14 @@ void estimateNoise(channel& c, const bool memoryGiven)
     const scalarList& y = c.files[0].readings.y;
     const scalar range = minMax(y).span();
 
-    // Quiet: until it first leaves a band of 5 % of the range
+    // Quiet: until it first leaves the band
     label quiet = 0;
-    while (quiet < y.size() && mag(y[quiet] - y[0]) < 0.05*range)
+    while (quiet < y.size() && mag(y[quiet] - y[0]) < quietBand*range)
     {
         ++quiet;
     }
-    quiet = (4*quiet)/5;
-    if (!c.overTime() || quiet < 40)
+    quiet = label(shareOfQuiet*quiet);
+    if (!c.overTime() || quiet < leastQuiet)
     {
         return;
     }
@@ -105,7 +119,7 @@ void estimateNoise(channel& c, const bool memoryGiven)
     const scalar alike = variance > 0 ? neighbours/variance : 0;
     if (!memoryGiven && alike > 2/Foam::sqrt(scalar(quiet)))
     {
-        c.samples.memory = -(x[1] - x[0])/std::log(min(alike, 0.999));
+        c.samples.memory = -(x[1] - x[0])/std::log(min(alike, mostAlike));
     }
 }
 

@@ -14,6 +14,11 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
+//- Fewest readings of a repeat, over those of the first file [-]: a gap of a few makes
+//  its mean no less sure, another rate does
+constexpr scalar shareOfReadings = 0.9;
+
+
 //- To the millisecond and millimetre, also of a logger that counts from 1970
 string written(const scalar x)
 {
@@ -76,7 +81,7 @@ void checkRepeat
         fault << "covers " << x.x.first() << " to " << x.x.last() << ", but " << from
             << " to " << to << " counts: give an interval that all repeats cover";
     }
-    else if (x.within(from, to).x.size() < 0.9*n)
+    else if (x.within(from, to).x.size() < shareOfReadings*n)
     {
         fault << "has " << x.within(from, to).x.size() << " readings where "
             << before[0].source << " has " << n << ": give the coarsest one as file";

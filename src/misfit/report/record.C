@@ -14,6 +14,11 @@ namespace
 using namespace Foam;
 using namespace Foam::misfit;
 
+//- Probability from which an explanation is in the record [-], as its schema states: the
+//  sum of those below changes no digit that a reader uses
+constexpr scalar leastProbability = 1e-4;
+
+
 //- What is at its bound has none
 json deviation(const scalar value, const bool pinned)
 {
@@ -250,7 +255,7 @@ json posterior(const finding& f)
     json all = json::array();
     for (const hypothesisFit* w : f.explained.byScore())
     {
-        if (w->probability > 1e-4)
+        if (w->probability > leastProbability)
         {
             all.push_back(explanation(w->what, f.library));
             all.back()["probability"] = w->probability;
