@@ -190,7 +190,7 @@ void Foam::packingModel::checkGrainVolume(const packingBox& box) const
         FatalIOErrorInFunction(dict_)
             << "The box " << box.bounds() << " with sides " << box.span()
             << " m is too small for a grain of " << size
-            << " m" << exit(FatalIOError);
+            << " m. Enlarge the box, or take smaller grains" << exit(FatalIOError);
     }
 }
 

@@ -35,7 +35,8 @@ dictionary readDictionary(const fileName& file, wordList& outside, label& nRecor
     {
         FatalIOErrorInFunction(dict)
             << "recordings is " << nRecordings
-            << ": experiment A is recorded once or more often" << exit(FatalIOError);
+            << ": experiment A is recorded once or more often. Set 1 or more, or leave it"
+            << " out" << exit(FatalIOError);
     }
     dict.remove("outside");
     dict.remove("recordings");

@@ -317,7 +317,8 @@ void Foam::misfit::makeCases
     {
         FatalErrorInFunction
             << these.max() + 1 << " cases are too many: at most " << mostCases
-            << " have grains of their own" << exit(FatalError);
+            << " have grains of their own. Make no more than these with -make, others"
+            << " in another folder" << exit(FatalError);
     }
     const recordings& all = truth.bare();
     const label times = truth.nRecordings();

@@ -80,7 +80,7 @@ labelRange casesOf(const argList& args)
     {
         FatalErrorInFunction
             << "-from " << first << ": the cases are numbered from 1 to " << last
-            << exit(FatalError);
+            << ". Begin at one of these, or make more with -make" << exit(FatalError);
     }
     return labelRange(first - 1, last - first + 1);
 }

@@ -181,7 +181,8 @@ void checkInside
     {
         FatalIOErrorInFunction(dict)
             << "The packing " << packing.name << " in the box " << box
-            << " is not inside the domain " << domain << exit(FatalIOError);
+            << " is not inside the domain " << domain << ". Move or shrink the box, or"
+            << " enlarge the domain" << exit(FatalIOError);
     }
 }
 

@@ -174,8 +174,9 @@ const Foam::exchangeClock& Foam::demCoupling::clock() const
     if (!clock_)
     {
         FatalErrorInFunction
-            << "There are no grains, so there is no exchange interval: ask hasGrains()"
-            << " first." << exit(FatalError);
+            << "There are no grains, so there is no exchange interval. Name grains in"
+            << " constant/granularProperties, or use what needs no exchange."
+            << exit(FatalError);
     }
     return *clock_;
 }

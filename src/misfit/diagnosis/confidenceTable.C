@@ -21,7 +21,7 @@ namespace
 
 using namespace Foam;
 
-const char* whatToDo = ". misfitConceal -calibrate fits such a table";
+const char* whatToDo = ". Make such a table with misfitConceal -calibrate";
 
 
 //- Fatal unless it has these keywords and no others

@@ -208,7 +208,9 @@ void Foam::misfit::caseChange::apply
         );
         FatalErrorInFunction
             << "The case has no file " << file_ << " to change "
-            << name_.c_str() << " in" << hint.c_str() << exit(FatalError);
+            << name_.c_str() << " in" << hint.c_str()
+            << (hint.empty() ? ". Correct file, or add it to the case" : "")
+            << exit(FatalError);
     }
     if (isVariable_)
     {

@@ -23,9 +23,9 @@ void Foam::checkMeshAtRest(const Time& runTime)
     if (moves || isFile(turning))
     {
         FatalErrorInFunction
-            << (moves ? moving : turning) << " asks for what interDEMFoam does"
-            << " not do: its mesh is at rest." << nl
-            << "    Take the file away, or use interFoam." << exit(FatalError);
+            << (moves ? moving : turning) << " is of a mesh that "
+            << (moves ? "moves" : "turns") << ", but that of interDEMFoam is at rest."
+            << nl << "    Remove the file, or use interFoam." << exit(FatalError);
     }
 }
 
