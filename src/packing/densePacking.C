@@ -67,7 +67,7 @@ void Foam::densePacking::checkEntries() const
 
     const bool fraction = dict_.found("solidFraction");
     const bool enough =
-        dict_.found("box") ? fraction || massGiven() : fraction && massGiven();
+        dict_.found("box") ? fraction || hasMass() : fraction && hasMass();
     if (!enough)
     {
         FatalIOErrorInFunction(dict_)
@@ -117,12 +117,12 @@ void Foam::densePacking::fillBox()
     const scalar volume = box().volume();
 
     const scalar solid =
-        massGiven() ? solidInBox(volume) : solidFraction()*volume;
+        hasMass() ? solidInBox(volume) : solidFraction()*volume;
     const scalar grain =
         constant::mathematical::pi/6*pow3(sizes_.largest());
     if
     (
-        massGiven() && dict_.found("solidFraction")
+        hasMass() && dict_.found("solidFraction")
      && mag(solid - solidFraction()*volume) > grain
     )
     {

@@ -43,7 +43,7 @@ TEST(demCoupling, grainsCarryWaterAlongFromTheFirstIntervalOn)
 }
 
 
-TEST(demCoupling, aGrainThatComesInFeelsTheWaterAtOnce)
+TEST(demCoupling, theWaterActsOnAGrainThatComesInAtOnce)
 {
     for (const scalar density : {5.0, 100.0, 2500.0})
     {

@@ -193,7 +193,7 @@ TEST(grainExchange, findsPointsInTheTipsOfLeaningCells)
 }
 
 
-TEST(grainExchange, saysThatAPlaceOutsideIsWithinTheBounds)
+TEST(grainExchange, reportsThatAPlaceOutsideIsWithinTheBounds)
 {
     testMesh test(box());
     movePoints(test.mesh(), bent);

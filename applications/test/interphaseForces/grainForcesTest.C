@@ -374,7 +374,7 @@ TEST(grainForces, sumUpWithoutWhatWallsGive)
 }
 
 
-TEST(grainForces, aGrainFeelsThePhaseAroundItHoweverNearTheSurface)
+TEST(grainForces, thePhaseAroundAGrainActsOnItHoweverNearTheSurface)
 {
     // Water up to z = 1/2, with a cell that is half full above it or without, in cells
     // of two diameters; smoothed over three

@@ -258,7 +258,7 @@ TEST(clumpPacking, namesTheLargestSolidFraction)
 }
 
 
-TEST(clumpPacking, saysWhichEntryIsWrong)
+TEST(clumpPacking, anErrorNamesTheWrongEntry)
 {
     const std::string half = box + "solidFraction 0.5; ";
 

@@ -55,14 +55,14 @@ const std::string grain = "diameter 0.03; ";
 } // End anonymous namespace
 
 
-TEST(packing, saysWhichTypesThereAre)
+TEST(packing, anErrorListsTheTypes)
 {
     expectComplaint("type heap; " + grain, "dense");
     expectComplaint("type heap; " + grain, "settled");
 }
 
 
-TEST(packing, saysWhichAmountIsWrong)
+TEST(packing, anErrorNamesTheWrongAmount)
 {
     expectComplaint(box + grain + "solidFraction 0.7;", "out of range");
     expectComplaint(box + "diameter 0.4; solidFraction 0.5;", "too small");
@@ -80,7 +80,7 @@ TEST(packing, saysWhichAmountIsWrong)
 }
 
 
-TEST(packing, saysWhichKeywordIsWrong)
+TEST(packing, anErrorNamesTheWrongKeyword)
 {
     expectComplaint
     (

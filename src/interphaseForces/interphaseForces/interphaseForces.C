@@ -57,14 +57,14 @@ void Foam::interphaseForces::prepare
 
 void Foam::interphaseForces::finish(const fluidMeans& means)
 {
-    Tuple2<vector, scalar> given(grains_.finish(means, rho_));
-    vector taken(takenFromFluid(means));
+    Tuple2<vector, scalar> onGrains(grains_.finish(means, rho_));
+    vector fromFluid(takenFromFluid(means));
 
-    reduce(taken, sumOp<vector>());
-    reduce(given.first(), sumOp<vector>());
-    reduce(given.second(), sumOp<scalar>());
+    reduce(fromFluid, sumOp<vector>());
+    reduce(onGrains.first(), sumOp<vector>());
+    reduce(onGrains.second(), sumOp<scalar>());
 
-    residual_ = mag(given.first() - taken)/(given.second() + VSMALL);
+    residual_ = mag(onGrains.first() - fromFluid)/(onGrains.second() + VSMALL);
 }
 
 

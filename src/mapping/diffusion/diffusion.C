@@ -80,7 +80,7 @@ Foam::smoothingModels::diffusion::diffusion
 :
     mesh_(mesh),
     width_(dict.getOrDefault<scalar>("width", 3)),
-    givenDiameter_(dict.getOrDefault<scalar>("diameter", 0)),
+    diameter_(dict.getOrDefault<scalar>("diameter", 0)),
     warnedOfJump_(false),
     conductance_(mesh.nFaces(), Zero),
     longestStep_(GREAT)
@@ -93,10 +93,10 @@ Foam::smoothingModels::diffusion::diffusion
             << "width is " << width_ << " grain diameters: give 0 or more"
             << " (default 3; Sun & Xiao use 6)." << exit(FatalIOError);
     }
-    if (dict.found("diameter") && !(givenDiameter_ > 0))
+    if (dict.found("diameter") && !(diameter_ > 0))
     {
         FatalIOErrorInFunction(dict)
-            << "diameter is " << givenDiameter_ << " m; it must be above zero."
+            << "diameter is " << diameter_ << " m; it must be above zero."
             << " Without it the width goes by the mean of the grains."
             << exit(FatalIOError);
     }
@@ -191,7 +191,7 @@ void Foam::smoothingModels::diffusion::setDiameters(const UList<scalar>& d)
 
     forAll(d, i)
     {
-        const scalar diameter = givenDiameter_ > 0 ? givenDiameter_ : d[i];
+        const scalar diameter = diameter_ > 0 ? diameter_ : d[i];
         warnOfJump(diameter);
         schedules_[i] = scheduleOf(diameter);
     }

@@ -81,7 +81,7 @@ void takeSamples(channel& c, const label n)
 
 //- Raises the uncertainty to what the quiet time before the arrival shows, and finds the
 //  memory there
-void estimateNoise(channel& c, const bool memoryGiven)
+void estimateNoise(channel& c, const bool hasMemory)
 {
     // Of one recording: a mean has less noise, and between readings less again
     const scalarList& x = c.files[0].readings.x;
@@ -117,7 +117,7 @@ void estimateNoise(channel& c, const bool memoryGiven)
 
     // A neighbour that is alike by less than chance would make it: white
     const scalar alike = variance > 0 ? neighbours/variance : 0;
-    if (!memoryGiven && alike > 2/Foam::sqrt(scalar(quiet)))
+    if (!hasMemory && alike > 2/Foam::sqrt(scalar(quiet)))
     {
         c.samples.memory = -(x[1] - x[0])/std::log(min(alike, mostAlike));
     }

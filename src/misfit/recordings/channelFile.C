@@ -51,7 +51,7 @@ fileName expanded(const dictionary& dict, const string& name)
 
 
 //- The name of a unit. One as m/s or 1/s is no word: its tokens are put together
-word unitGiven(const dictionary& dict, const word& key)
+word unitEntry(const dictionary& dict, const word& key)
 {
     std::ostringstream name;
     for (const token& t : dict.lookup(key))
@@ -146,7 +146,7 @@ scalarList readColumn
     const string& header = table.names[column];
     const word key(prefix.empty() ? "unit" : prefix + "Unit");
     const word written(unitInName(header));
-    const word name(dict.found(key) ? unitGiven(dict, key) : written);
+    const word name(dict.found(key) ? unitEntry(dict, key) : written);
     const string what("The column \"" + header + "\" of " + table.file);
 
     if (name.empty())
@@ -279,7 +279,7 @@ void Foam::misfit::channel::readValue(const dictionary& dict)
     const scalar size =
         checkedUnit
         (
-            dict, unitGiven(dict, "unit"), samples.quantity,
+            dict, unitEntry(dict, "unit"), samples.quantity,
             "The value of the channel " + name
         ).size;
     recorded.x = scalarList(1, scalar(0));

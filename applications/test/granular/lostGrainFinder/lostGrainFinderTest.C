@@ -73,7 +73,7 @@ TEST(ParallelLostGrainFinder, missesNoneThatOnlyChangedRank)
 }
 
 
-TEST(ParallelLostGrainFinder, tellsAllRanksOfEachGrainThatNoRankHas)
+TEST(ParallelLostGrainFinder, allRanksKnowEachGrainThatNoRankHas)
 {
     const lostGrainFinder before(noted(held(0)));
     DynamicList<label> left;
