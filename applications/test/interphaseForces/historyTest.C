@@ -284,7 +284,7 @@ TEST(ParallelHistory, thePastIsWrittenInPiecesAndReadInShares)
     state.mu = mu;
     const auto grainsOf = [&](const label turn)
     {
-        List<locatedGrain> here;
+        DynamicList<locatedGrain> here(nGrains/nRanks + 1);
         for (label id = 1; id <= nGrains; ++id)
         {
             if ((id + turn) % nRanks == Pstream::myProcNo())
@@ -293,7 +293,7 @@ TEST(ParallelHistory, thePastIsWrittenInPiecesAndReadInShares)
                 here.last().id = id;
             }
         }
-        return here;
+        return List<locatedGrain>(std::move(here));
     };
     const auto advance = [&](historyForce& h, const label turn, const label k)
     {

@@ -360,8 +360,15 @@ Foam::autoPtr<Foam::grainSnapshot> Foam::grainSnapshot::read
     {
         forEachClumpField([&](const char* name, const auto member)
         {
-            checkField(mesh, name);
-            readInto(name, member);
+            // No function object reads these two, and version 0.4 did not write them
+            if (word(name) != "orientation" && word(name) != "axes")
+            {
+                checkField(mesh, name);
+            }
+            if (isOnDisk(mesh, name))
+            {
+                readInto(name, member);
+            }
         });
     }
 

@@ -160,10 +160,8 @@ void Foam::clumpRemoval::pre_exchange()
     {
         if (returnReduce(all.size(), sumOp<label>()))
         {
-            const auto first = [](Pair<vector>& a, const Pair<vector>& b)
-            {
-                a = b;
-            };
+            // The same clump, seen on another rank
+            const auto first = [](Pair<vector>&, const Pair<vector>&) {};
             Pstream::mapCombineGather(all, first);
             compatibility::broadcast(all);
         }

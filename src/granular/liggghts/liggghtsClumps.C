@@ -232,6 +232,7 @@ void Foam::liggghtsClumps::check
     checkRoom();
     checkFree();
     script_ = physicsScript;
+    checkInsertedOnce();
     checkMovedOnce();
 }
 
@@ -358,6 +359,7 @@ void Foam::liggghtsClumps::refresh
     const label n = fix_->n_body_all();
     if (n > n_)
     {
+        checkFree();
         checkMovedOnce();
     }
     n_ = n;

@@ -55,15 +55,18 @@ void Foam::liggghtsClumps::setAxes(grainSnapshot& grains) const
     auto& moments = *properties.getElementProperty<vectors>("inertia");
     auto& mass = *properties.getElementProperty<scalars>("masstotal");
 
-    labelList clumps(grains.clump);
-    vectorField turned(clumps.size(), Zero);
-    vectorField axes(clumps.size(), Zero);
+    const label nSpheres = grains.size();
+    const label n = nSpheres + fix_->n_body();
+    labelList clumps(n);
+    vectorField turned(n, Zero);
+    vectorField axes(n, Zero);
 
+    std::copy(grains.clump.begin(), grains.clump.end(), clumps.begin());
     for (label i = 0; i < fix_->n_body(); ++i)
     {
-        clumps.append(fix_->data().tag(i));
-        turned.append(vectorPart(quat(i)));
-        axes.append(lengths(moments(i), mass(i)));
+        clumps[nSpheres + i] = fix_->data().tag(i);
+        turned[nSpheres + i] = vectorPart(quat(i));
+        axes[nSpheres + i] = lengths(moments(i), mass(i));
     }
 
     const Map<Pair<vector>> sums(clumpSums(clumps).sum(turned, axes));

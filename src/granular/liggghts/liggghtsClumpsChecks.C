@@ -4,6 +4,7 @@
 #include "liggghtsClumps.H"
 
 #include "OStringStream.H"
+#include "clumpInsertion.H"
 
 #include <liggghts/atom.h>
 #include <liggghts/domain.h>
@@ -97,6 +98,28 @@ void Foam::liggghtsClumps::checkFree() const
             "'fflag off' or 'tflag off' holds some of them in a direction.",
             "Take it out of the scripts; make an obstacle of grains that no fix moves."
         );
+    }
+}
+
+
+void Foam::liggghtsClumps::checkInsertedOnce() const
+{
+    const LAMMPS_NS::Modify& modify = *liggghts_->modify;
+
+    for (label k = 0; k < modify.nfix; ++k)
+    {
+        const LAMMPS_NS::Fix& fix = *modify.fix[k];
+
+        // Those of the initial script are done
+        if (string(fix.style) == clumpInsertion::styleName && fix.next_reneighbor > 0)
+        {
+            refuse
+            (
+                "fix " + string(fix.id) + " (" + string(fix.style) + ") of "
+              + string(script_) + " would insert them again at each restart.",
+                "Move it to the initial script, behind the templates."
+            );
+        }
     }
 }
 

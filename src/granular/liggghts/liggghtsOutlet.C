@@ -228,6 +228,14 @@ bool Foam::liggghtsOutlet::wasTurnedOut
 void Foam::liggghtsOutlet::begin()
 {
     removal_ = clumpRemoval::of(liggghts_);
+    if (removal_ && removal_->departed().size())
+    {
+        FatalErrorInFunction
+            << removal_->departed().size() << " clumps reach out of the grains' box at the"
+            << " start, the first near " << (*removal_->departed().cbegin()).first()
+            << " m." << nl << "    Make the region of create_box (domain of packingDict)"
+            << " larger, or place them inside." << exit(FatalError);
+    }
     nGrains_ = grains_.nBodies();
     nInserted_ = nInserted();
 }

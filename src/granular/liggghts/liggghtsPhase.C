@@ -174,7 +174,7 @@ void Foam::liggghtsPhase::report() const
         << " s, exchange every " << stepsPerExchange() << " steps = "
         << exchangeInterval() << " s" << nl;
 
-    if (hasClumps())
+    if (clumps_.n())
     {
         Info<< "    " << clumps_.nSpheres() << " of them are the spheres of "
             << clumps_.n() << " clumps" << nl;

@@ -406,7 +406,7 @@ Foam::misfit::recordOf(const finding& f, const string& title)
     const auto where = [&f](const place& p) { return located(p, f.detection.data); };
     const auto members = [&f](const hypothesisFit& w)
     {
-        return explanation(w.what.known(), f.library);
+        return explanation(w.what, f.library);
     };
     const auto numbers = [&f](const gate& g) { return gateNumbers(g, f); };
     return

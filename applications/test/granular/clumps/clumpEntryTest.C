@@ -116,7 +116,7 @@ void expectTurnsAreKept(const label restartAt)
 
 
 //- One that comes in on the plane where ranks meet is carried by the water at once
-void expectFeelsTheWater()
+void expectBuoyancy()
 {
     boxOfWater w("interphaseForces { drag { model none; } }");
     placeNone
@@ -236,15 +236,15 @@ TEST(ParallelClumpEntry, keepsItsTurnsOverARestart)
 }
 
 
-TEST(clumpEntry, feelsTheWaterAtOnce)
+TEST(clumpEntry, hasBuoyancyAtOnce)
 {
-    expectFeelsTheWater();
+    expectBuoyancy();
 }
 
 
-TEST(ParallelClumpEntry, feelsTheWaterAtOnce)
+TEST(ParallelClumpEntry, hasBuoyancyAtOnce)
 {
-    expectFeelsTheWater();
+    expectBuoyancy();
 }
 
 

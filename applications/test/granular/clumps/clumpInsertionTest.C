@@ -296,6 +296,32 @@ TEST(clumpInsertion, aClumpOutsideOfTheBoxIsAnError)
 }
 
 
+TEST(clumpInsertion, inTheScriptThatRestartsReadItIsAnError)
+{
+    const std::string text
+    (
+        refusal([&]
+        {
+            boxOfWater w("fluid none;");
+            writeCase(w, listed(), "");
+            w.writePhysics("fix insertion all insert/clumps file clumps\n");
+            demCoupling alone(w.box().mesh(), vector(Zero));
+        })
+    );
+    expectHolds(text, "again at each restart");
+    expectHolds(text, "initial script");
+}
+
+
+// Its centre is inside
+TEST(clumpInsertion, aClumpThatReachesOutOfTheBoxIsAnError)
+{
+    DynamicList<placedClump> clumps(listed());
+    clumps[1].centre.z() = 0.999;
+    expectHolds(refused(clumps), "1 clumps reach out of the grains' box");
+}
+
+
 TEST(clumpInsertion, aTemplateThatIsAbsentIsAnError)
 {
     DynamicList<placedClump> clumps(listed());

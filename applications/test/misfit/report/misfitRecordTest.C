@@ -79,6 +79,11 @@ TEST(misfitRecord, theRecordOfASetHasItsExplanationsAndEachNameOnce)
         possibleFaults(f.detection.data, {faultKind::swapped}).front();
     EXPECT_EQ(answerOf(f), wordList({"porePressure", "walls", "P1", "P2"}));
     expectHolds(describe(f), "or swapped of P1 with P2");
+
+    f.verdict.alternatives[1].what.unknown = true;
+    const auto other = nlohmann::json::parse(verdictJson(f, "case"))["alternatives"];
+    EXPECT_FALSE(other[0]["unknown"]);
+    EXPECT_TRUE(other[1]["unknown"]);
 }
 
 
