@@ -2,6 +2,7 @@
 // When each channel rises, and when recording and simulation first differ there.
 
 #include "departures.H"
+#include "features.H"
 
 #include <boost/math/distributions/normal.hpp>
 
@@ -13,11 +14,6 @@ namespace
 
 using namespace Foam;
 using namespace Foam::misfit;
-
-//- Share of its peak that a channel has risen by where it arrives [-]: above the noise of
-//  a record of use, and well before the peak. The same as of the feature arrival
-constexpr scalar shareAtArrival = 0.2;
-
 
 //- Standard deviations that chance exceeds upwards with this probability in one of so
 //  many
@@ -48,7 +44,7 @@ vec deviationOfRise(const segment& s, const mat& covariance)
 std::optional<scalar> arrival(const segment& s, const vec& all, const vec& chance)
 {
     const vec rise = s.of(all).array() - all[s.first];
-    const vec level = chance.cwiseMax(shareAtArrival*rise.maxCoeff());
+    const vec level = chance.cwiseMax(statistics::shareAtArrival*rise.maxCoeff());
     for (label k = 1; k < s.size; ++k)
     {
         if (rise[k] > 0 && rise[k] >= level[k])

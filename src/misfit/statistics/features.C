@@ -36,11 +36,11 @@ statistics::vec statistics::features(const segment& s, const vec& all)
 
     vec f(5);
     int i = 0;
-    while (i < top && v[i] < 0.2*peak)
+    while (i < top && v[i] < shareAtArrival*peak)
     {
         ++i;
     }
-    f[0] = passage(s.x, v, i, 1, 0.2*peak);
+    f[0] = passage(s.x, v, i, 1, shareAtArrival*peak);
     f[1] = peak;
     f[2] = s.x[top] - f[0];
     i = top;
